@@ -1,0 +1,27 @@
+# Language level, warnings and sanitizers, shared by every target.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET default)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+
+find_program(NADIR_CCACHE ccache)
+if(NADIR_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${NADIR_CCACHE}")
+endif()
+
+add_library(nadir_compiler INTERFACE)
+target_compile_options(nadir_compiler INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(NADIR_WERROR)
+  target_compile_options(nadir_compiler INTERFACE -Werror)
+endif()
+# Physics is compiled for exact IEEE results: no fast-math, and no contraction, so that the same
+# bytes come out of every x86-64 machine. -O3 vectorises the spectral loops.
+target_compile_options(nadir_compiler INTERFACE -ffp-contract=off $<$<CONFIG:Release>:-O3>)
+if(NADIR_SANITIZE)
+  target_compile_options(nadir_compiler INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(nadir_compiler INTERFACE -fsanitize=address,undefined)
+endif()

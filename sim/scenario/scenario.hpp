@@ -1,0 +1,197 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/quantity.hpp"
+#include "core/vec.hpp"
+#include "ephemeris/instant.hpp"
+#include "geometry/earth.hpp"
+#include "geometry/shapes.hpp"
+#include "materials/solver_settings.hpp"
+
+// What a scenario file says, as plain data: checked for form, units and ranges, names resolved to
+// indices, files named by absolute path but not yet read. Units are in the names.
+
+namespace nadir::sim {
+
+/// A spectral quantity: one number for all wavelengths, or a column of a spectrum file.
+struct SpectralInput {
+  std::variant<double, std::filesystem::path> source = 0.0;
+  std::string column;  ///< of the file; empty where it has only one
+};
+
+// ---- light ------------------------------------------------------------------------------------
+
+/// Sun and moon where an ephemeris puts them for the scenario's instant and site.
+struct ComputedSky {
+  double ut1_minus_utc_s = 0.0;
+  std::optional<SpectralInput> solar_irradiance;  ///< W m^-2 um^-1 at 1 AU; none: the sun is dark
+  std::optional<SpectralInput> lunar_irradiance;  ///< W m^-2 um^-1 as it arrives; none: dark
+};
+/// A body at given angles.
+struct FixedBody {
+  std::string name;
+  double azimuth_deg = 0.0;          ///< clockwise from north
+  double elevation_deg = 0.0;
+  double angular_radius_deg = 0.266;
+  SpectralInput irradiance;          ///< W m^-2 um^-1 on a plane normal to the direction
+};
+struct FixedSky {
+  std::vector<FixedBody> bodies;
+};
+using IlluminationInput = std::variant<ComputedSky, FixedSky>;
+
+// ---- air --------------------------------------------------------------------------------------
+
+struct NoAir {};
+/// The same air everywhere. See docs/atmosphere.md.
+struct UniformAir {
+  SpectralInput sky_radiance{0.0, {}};         ///< W m^-2 sr^-1 um^-1, added to the sky's emission
+  double sky_temperature_k = 0.0;              ///< black sky at this temperature; 0: none
+  SpectralInput solar_transmittance{1.0, {}};  ///< from sun or moon to the ground
+  SpectralInput transmittance{1.0, {}};        ///< from the surface to the sensor
+  SpectralInput path_radiance{0.0, {}};        ///< scattered into that path, W m^-2 sr^-1 um^-1
+  double air_temperature_k = 0.0;              ///< of the path's own emission; 0: none
+};
+using AirInput = std::variant<NoAir, UniformAir>;
+
+// ---- materials and geometry -------------------------------------------------------------------
+
+struct MaterialInput {
+  std::string name;
+  std::string description;
+  std::optional<SpectralInput> reflectance;
+  std::optional<SpectralInput> emissivity;
+  double temperature_k = 0.0;
+  std::optional<materials::SolverSettings> solver;
+};
+
+/// A part of a mesh (as named in its file) and its material. An empty part means all others.
+struct PartMaterial {
+  std::string part;
+  int material = 0;  ///< index into Scenario::materials
+};
+
+struct MeshInput {
+  std::filesystem::path file;  ///< .obj or .ply
+  std::vector<PartMaterial> parts;
+};
+struct ShapeInput {
+  geometry::Shape shape;
+  int material = 0;
+};
+using FormInput = std::variant<MeshInput, ShapeInput>;
+
+/// Where an object stands: scene east, north, up; rotated by yaw (clockwise about up, seen from
+/// above), then pitch (nose up about the object's x axis), then roll (about its y axis), scaled.
+struct PlacementInput {
+  Vec3 position_m;
+  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+  Vec3 scale{1.0, 1.0, 1.0};
+  bool on_terrain = false;  ///< up counts from the terrain below (east, north)
+};
+
+struct TerrainInput {
+  std::string name;
+  std::filesystem::path raster;
+  double height_offset_m = 0.0;  ///< added to the raster's values: its datum above the ellipsoid
+  int material = 0;
+};
+struct ObjectInput {
+  std::string name;
+  FormInput form;
+  PlacementInput placement;
+};
+/// A prototype placed by a list. Lists may nest: a prototype may itself be placed by lists.
+struct InstancesInput {
+  std::string name;
+  std::filesystem::path list;    ///< CSV of placements
+  bool on_terrain = false;       ///< up in the list counts from the terrain
+  std::vector<ObjectInput> objects;
+  std::vector<InstancesInput> nested;
+};
+using GeometryInput = std::variant<TerrainInput, ObjectInput, InstancesInput>;
+
+// ---- sensor -----------------------------------------------------------------------------------
+
+struct PlatformInput {
+  std::variant<geometry::Geodetic, Vec3> position;  ///< geodetic, or local east, north, up in m
+  bool on_terrain = false;                          ///< local up counts from the terrain
+  struct LookAt {
+    std::variant<geometry::Geodetic, Vec3> target;
+    bool on_terrain = false;
+    double roll_deg = 0.0;  ///< clockwise about the line of sight; 0: image top as high as it goes
+  };
+  /// Yaw clockwise from north, pitch up from the horizon (-90: straight down), roll right side down.
+  struct Euler {
+    double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+  };
+  std::variant<LookAt, Euler> attitude;
+};
+
+struct BoxBand {
+  double lo_um = 0.0, hi_um = 0.0;
+};
+struct GaussianBand {
+  double centre_um = 0.0, fwhm_um = 0.0;
+};
+struct TabulatedBand {
+  std::filesystem::path file;
+  std::string column;
+};
+struct BandInput {
+  std::string name;
+  std::variant<BoxBand, GaussianBand, TabulatedBand> response;
+};
+
+struct ArrayInput {
+  std::string name;
+  int samples = 0, lines = 0;            ///< columns and rows of the detector
+  double pitch_um = 0.0;                 ///< perspective: centre to centre on the focal plane
+  double offset_x_um = 0.0, offset_y_um = 0.0;  ///< of the array's centre on the focal plane
+  double ground_pitch_m = 0.0;           ///< orthographic: centre to centre across the beam
+  double offset_x_m = 0.0, offset_y_m = 0.0;    ///< orthographic: of the array's centre
+  std::vector<BandInput> bands;
+};
+
+struct CameraInput {
+  bool orthographic = false;
+  double focal_length_mm = 0.0;  ///< perspective only
+  std::vector<ArrayInput> arrays;
+};
+
+// ---- work and results -------------------------------------------------------------------------
+
+struct SamplingInput {
+  int replicates = 4;             ///< independent scramblings that yield the standard error, >= 4
+  int samples_per_replicate = 2;  ///< paths per pixel and replicate
+  int wavelengths_per_band = 4;   ///< nodes of each band's Gauss quadrature
+};
+
+struct ProductsInput {
+  bool envi = true, exr = true, quick_look = true, truth = true;
+  std::vector<std::string> quick_look_bands;  ///< red, green, blue, or one; empty: chosen for the user
+};
+
+struct Scenario {
+  std::filesystem::path file;
+  std::string name;
+  std::string title;
+  ephemeris::Instant time;
+  geometry::Geodetic origin;  ///< of the scene's axes
+  IlluminationInput illumination;
+  AirInput air;
+  materials::SolverSettings solver;
+  std::vector<MaterialInput> materials;
+  std::vector<GeometryInput> geometry;
+  PlatformInput platform;
+  CameraInput camera;
+  SamplingInput sampling;
+  ProductsInput products;
+};
+
+}  // namespace nadir::sim

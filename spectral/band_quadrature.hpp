@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "core/quantity.hpp"
+#include "spectral/lanes.hpp"
+#include "spectral/response.hpp"
+
+namespace nadir::spectral {
+
+/// Wavelengths and weights for which  sum_i weight[i] L(wavelength[i])  is the band radiance
+///     L_band = int L R dlambda / int R dlambda        [W m^-2 sr^-1 um^-1]
+/// Weights are positive and sum to 1.
+struct BandQuadrature {
+  std::vector<Micrometres> wavelengths;  ///< ascending, inside the band
+  std::vector<double> weights;
+};
+
+/// Gauss quadrature with the response as its weight function: exact for radiance that is a
+/// polynomial of degree 2 n - 1 in wavelength over the band. Discretised Stieltjes procedure and
+/// Golub-Welsch (Gautschi, "Orthogonal Polynomials", 2004, sections 2.2 and 3.1).
+///
+/// @param count  number of wavelengths n, 1 .. 32
+[[nodiscard]] BandQuadrature gauss_quadrature(const Response& response, int count);
+
+/// Temperature of the black body whose band radiance is the given one; 0 K for radiance 0.
+[[nodiscard]] Kelvin band_brightness_temperature(const BandQuadrature& band,
+                                                 SpectralRadiance radiance) noexcept;
+
+/// The lanes that a set of bands needs, in blocks of at most lane_capacity, and the way back.
+struct SpectralPlan {
+  struct Term {
+    int block;      ///< which of `blocks`
+    int lane;       ///< which lane of it
+    double weight;  ///< of that lane in the band's radiance
+  };
+  std::vector<Lanes> blocks;
+  std::vector<std::vector<Term>> bands;  ///< for each band the terms of its sum
+};
+
+/// Merges the bands' wavelengths, each distinct one simulated once. A band's lanes may fall into
+/// two blocks.
+[[nodiscard]] SpectralPlan plan_lanes(const std::vector<BandQuadrature>& bands);
+
+}  // namespace nadir::spectral

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+#include "core/quantity.hpp"
+
+namespace nadir::spectral {
+
+/// Wavelengths that one ray can carry. More are simulated in blocks.
+inline constexpr int lane_capacity = 128;
+
+/// The wavelengths that the lanes of a block stand for, ascending. At most lane_capacity of them.
+class Lanes {
+ public:
+  Lanes() = default;
+  /// @throws InputError for none, too many, not ascending, or not positive wavelengths.
+  explicit Lanes(std::vector<Micrometres> wavelengths);
+
+  [[nodiscard]] int count() const noexcept { return static_cast<int>(wavelengths_.size()); }
+  [[nodiscard]] Micrometres operator[](int lane) const {
+    return wavelengths_[static_cast<std::size_t>(lane)];
+  }
+  [[nodiscard]] auto begin() const noexcept { return wavelengths_.begin(); }
+  [[nodiscard]] auto end() const noexcept { return wavelengths_.end(); }
+
+ private:
+  std::vector<Micrometres> wavelengths_;
+};
+
+/// One number per lane, in float, without heap. The loops run over whole groups of eight lanes so
+/// that they vectorise without a remainder; lanes past `count` hold unspecified finite numbers and
+/// never reach a result.
+class Spectrum {
+ public:
+  Spectrum() noexcept = default;
+  explicit Spectrum(int count, float value = 0.0F) noexcept : count_{count} {
+    assert(count >= 0 && count <= lane_capacity);
+    std::fill_n(values_.begin(), padded(), value);
+  }
+  Spectrum(const Spectrum& other) noexcept : count_{other.count_} { copy(other); }
+  Spectrum& operator=(const Spectrum& other) noexcept {
+    count_ = other.count_;
+    copy(other);
+    return *this;
+  }
+  ~Spectrum() = default;
+
+  [[nodiscard]] int count() const noexcept { return count_; }
+  [[nodiscard]] float operator[](int lane) const noexcept {
+    return values_[static_cast<std::size_t>(lane)];
+  }
+  [[nodiscard]] float& operator[](int lane) noexcept {
+    return values_[static_cast<std::size_t>(lane)];
+  }
+
+  Spectrum& operator+=(const Spectrum& b) noexcept {
+    return zip(b, [](float x, float y) { return x + y; });
+  }
+  Spectrum& operator-=(const Spectrum& b) noexcept {
+    return zip(b, [](float x, float y) { return x - y; });
+  }
+  Spectrum& operator*=(const Spectrum& b) noexcept {
+    return zip(b, [](float x, float y) { return x * y; });
+  }
+  Spectrum& operator*=(float s) noexcept {
+    for (std::size_t i = 0, n = padded(); i < n; ++i) values_[i] *= s;
+    return *this;
+  }
+  /// this += a * s
+  Spectrum& add_scaled(const Spectrum& a, float s) noexcept {
+    return zip(a, [s](float x, float y) { return x + y * s; });
+  }
+  /// this += a * b
+  Spectrum& add_product(const Spectrum& a, const Spectrum& b) noexcept {
+    for (std::size_t i = 0, n = padded(); i < n; ++i) values_[i] += a.values_[i] * b.values_[i];
+    return *this;
+  }
+  friend Spectrum operator+(Spectrum a, const Spectrum& b) noexcept { return a += b; }
+  friend Spectrum operator-(Spectrum a, const Spectrum& b) noexcept { return a -= b; }
+  friend Spectrum operator*(Spectrum a, const Spectrum& b) noexcept { return a *= b; }
+  friend Spectrum operator*(Spectrum a, float s) noexcept { return a *= s; }
+
+  [[nodiscard]] float max() const noexcept {
+    float m = count_ > 0 ? values_[0] : 0.0F;
+    for (int i = 1; i < count_; ++i) m = std::max(m, (*this)[i]);
+    return m;
+  }
+  [[nodiscard]] float mean() const noexcept {
+    double sum = 0.0;
+    for (int i = 0; i < count_; ++i) sum += static_cast<double>((*this)[i]);
+    return count_ > 0 ? static_cast<float>(sum / count_) : 0.0F;
+  }
+
+ private:
+  friend class SpectrumSum;
+  static constexpr int group = 8;
+  [[nodiscard]] std::size_t padded() const noexcept {
+    return static_cast<std::size_t>((count_ + group - 1) / group * group);
+  }
+  void copy(const Spectrum& other) noexcept {
+    std::copy_n(other.values_.begin(), padded(), values_.begin());
+  }
+  template <class F>
+  Spectrum& zip(const Spectrum& b, F f) noexcept {
+    assert(b.count_ == count_);
+    for (std::size_t i = 0, n = padded(); i < n; ++i) values_[i] = f(values_[i], b.values_[i]);
+    return *this;
+  }
+
+  alignas(64) std::array<float, lane_capacity> values_;
+  int count_ = 0;
+};
+
+/// A sum of spectra, kept in double.
+class SpectrumSum {
+ public:
+  explicit SpectrumSum(int count) noexcept : count_{count} {
+    std::fill_n(values_.begin(), count, 0.0);
+  }
+  void add(const Spectrum& s, double weight = 1.0) noexcept {
+    assert(s.count() == count_);
+    for (std::size_t i = 0, n = static_cast<std::size_t>(count_); i < n; ++i) {
+      values_[i] += weight * static_cast<double>(s.values_[i]);
+    }
+  }
+  [[nodiscard]] int count() const noexcept { return count_; }
+  [[nodiscard]] double operator[](int lane) const noexcept {
+    return values_[static_cast<std::size_t>(lane)];
+  }
+  /// The sum times `scale`, as float lanes.
+  [[nodiscard]] Spectrum spectrum(double scale = 1.0) const noexcept {
+    Spectrum s{count_};
+    for (int i = 0; i < count_; ++i) s[i] = static_cast<float>((*this)[i] * scale);
+    return s;
+  }
+
+ private:
+  alignas(64) std::array<double, lane_capacity> values_;
+  int count_ = 0;
+};
+
+}  // namespace nadir::spectral
