@@ -1,0 +1,61 @@
+#include "radiometry/lit_scene.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/frame.hpp"
+#include "spectral/coverage.hpp"
+#include "spectral/planck.hpp"
+
+namespace nadir::radiometry {
+namespace {
+
+using spectral::Spectrum;
+
+std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumination,
+                                          const atmosphere::BoundAtmosphere& air,
+                                          const spectral::Lanes& lanes) {
+  std::vector<Target> targets;
+  for (const ephemeris::LightSource& body : illumination) {
+    const double sin_radius = std::sin(body.angular_radius.value);
+    if (body.direction_enu.z <= -sin_radius) continue;  // the whole disc is below
+    targets.push_back({body.direction_enu, sin_radius, std::cos(body.angular_radius.value),
+                       spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
+                           air.direct_transmittance(body.direction_enu)});
+  }
+  return targets;
+}
+
+}  // namespace
+
+LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics)
+    : scene_{&scene},
+      lanes_{std::move(lanes)},
+      air_{scene.atmosphere, lanes_},
+      targets_{targets_above_horizon(scene.illumination, air_, lanes_)} {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const materials::Material& material = scene.materials[i];
+    materials_.push_back(materials::bind(material, lanes_, diagnostics));
+    settings_.push_back(material.solver.value_or(scene.solver));
+    const auto& source = std::get<thermal::ConstantTemperature>(scene.temperature.source(i));
+    constant_emission_.push_back(materials_.back().emissivity *
+                                 spectral::planck(lanes_, source.value));
+  }
+}
+
+Spectrum LitScene::self_emission(const geometry::Hit& hit) const noexcept {
+  return constant_emission_[hit.material];
+}
+
+Vec3 direction_in_disc(const Target& target, Vec2 u) noexcept {
+  // Uniform in solid angle over the cap: the cosine is uniform between cos(radius) and 1. Written
+  // with 1 - cos = sin^2 / (1 + cos), which keeps its digits for a disc of a quarter degree.
+  const double height = target.sin_radius * target.sin_radius / (1.0 + target.cos_radius);
+  const double below_one = u.x * height;
+  const double sine = std::sqrt(below_one * (2.0 - below_one));
+  const double phi = 2.0 * std::numbers::pi * u.y;
+  return frame_about(target.direction)
+      .to_world({sine * std::cos(phi), sine * std::sin(phi), 1.0 - below_one});
+}
+
+}  // namespace nadir::radiometry

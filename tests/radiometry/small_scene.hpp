@@ -1,0 +1,100 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/frame.hpp"
+#include "core/statistics.hpp"
+#include "geometry/scene_builder.hpp"
+#include "radiometry/generic_solver.hpp"
+#include "spectral/planck.hpp"
+
+namespace nadir::radiometry::test {
+
+/// A material with the same reflectance at all wavelengths; emissivity by Kirchhoff's law.
+inline materials::Material grey(double reflectance) {
+  materials::Material material;
+  material.name = "grey";
+  material.reflectance = spectral::Curve::constant(reflectance);
+  return material;
+}
+
+/// Shapes, materials and light for a closed-form test.
+class SmallScene {
+ public:
+  /// Adds a material at a temperature and returns its index.
+  std::uint32_t material(const materials::Material& m, Kelvin temperature) {
+    materials_.push_back(m);
+    temperatures_.emplace_back(thermal::ConstantTemperature{temperature});
+    return static_cast<std::uint32_t>(materials_.size() - 1);
+  }
+  void add(const geometry::Shape& shape, std::uint32_t material) {
+    builder_.add({shape, {material}}, Affine{}, object_++);
+  }
+  void add_body(double azimuth_deg, double elevation_deg, double angular_radius_deg,
+                double irradiance) {
+    illumination_.push_back({"sun",
+                             direction_enu(degrees(azimuth_deg).value, degrees(elevation_deg).value),
+                             degrees(angular_radius_deg), spectral::Curve::constant(irradiance)});
+  }
+  void sky(double radiance, Kelvin temperature = Kelvin{0.0}) {
+    const auto one = spectral::Curve::constant(1.0), none = spectral::Curve::constant(0.0);
+    air_ = atmosphere::Uniform{spectral::Curve::constant(radiance), temperature, one, one, none,
+                               Kelvin{0.0}};
+  }
+  materials::SolverSettings solver;
+
+  SceneDescription build() {
+    return {builder_.build(),
+            materials_,
+            thermal::TemperatureField{temperatures_},
+            illumination_,
+            air_,
+            solver};
+  }
+
+ private:
+  geometry::SceneBuilder builder_;
+  std::vector<materials::Material> materials_;
+  std::vector<thermal::TemperatureSource> temperatures_;
+  ephemeris::Illumination illumination_;
+  atmosphere::Atmosphere air_ = atmosphere::None{};
+  std::uint32_t object_ = 0;
+};
+
+/// Mean radiance per lane seen along a ray, with its standard error from replicates.
+struct Measured {
+  std::vector<Estimate> lanes;
+  Counters counters;
+};
+
+inline Measured measure(const SceneDescription& scene, const spectral::Lanes& lanes,
+                        const geometry::Ray& ray, int replicates, int samples,
+                        std::uint64_t seed = 1) {
+  Diagnostics diagnostics;
+  const LitScene lit{scene, lanes, diagnostics};
+  GenericSolver solver{lit};
+  const auto hit = scene.geometry.intersect(ray);
+  std::vector<Welford> spread(static_cast<std::size_t>(lanes.count()));
+  for (int r = 0; r < replicates; ++r) {
+    spectral::SpectrumSum sum{lanes.count()};
+    for (int i = 0; i < samples; ++i) {
+      const Sampler numbers{mix(seed, static_cast<std::uint64_t>(r)), static_cast<std::uint32_t>(i)};
+      sum.add(solver.aperture_radiance(ray, hit, numbers));
+    }
+    for (std::size_t lane = 0; lane < spread.size(); ++lane) {
+      spread[lane].add(sum[static_cast<int>(lane)] / samples);
+    }
+  }
+  Measured result;
+  for (const Welford& w : spread) result.lanes.push_back(w.estimate());
+  result.counters = solver.counters();
+  return result;
+}
+
+/// A ray straight down onto the origin.
+inline geometry::Ray downward(double height_m = 10.0) {
+  return {{0.0, 0.0, height_m}, {0.0, 0.0, -1.0}};
+}
+
+}  // namespace nadir::radiometry::test
