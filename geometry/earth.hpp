@@ -12,10 +12,11 @@ struct Geodetic {
   double height_m = 0.0;       ///< above the ellipsoid
 };
 
-/// The scene's axes: east, north and up at an origin on the WGS84 ellipsoid, in metres.
+/// The scene's axes: east, north and up at an origin at its height above the WGS84 ellipsoid, m.
 /// Computed by GeographicLib (round trip bounded by a few nanometres near the earth).
 class LocalFrame {
  public:
+  /// @throws InputError for a latitude outside [-90, 90] or anything that is not finite.
   explicit LocalFrame(const Geodetic& origin);
 
   [[nodiscard]] Vec3 enu(const Geodetic& place) const;
@@ -28,6 +29,8 @@ class LocalFrame {
 
  private:
   Geodetic origin_;
+  Vec3 origin_ecef_;
+  Mat3 axes_;  ///< columns: east, north and up at the origin, in ECEF
 };
 
 }  // namespace nadir::geometry

@@ -18,15 +18,16 @@ struct Ray {
 
 /// Where a ray first meets a surface.
 struct Hit {
-  double distance = 0.0;    ///< from the ray's origin, m, double precision
-  Vec3 position;            ///< on the surface, scene axes, m
-  Vec3 normal;              ///< geometric unit normal, turned towards the side the ray came from
-  Vec2 uv;                  ///< barycentric or parametric coordinates on the primitive
+  double distance = 0.0;       ///< from the ray's origin, m, double precision
+  Vec3 position;               ///< on the surface, scene axes, m
+  Vec3 normal;                 ///< geometric unit normal, turned towards the side the ray came from
+  Vec2 uv;                     ///< barycentric or parametric coordinates on the primitive
   std::uint32_t material = 0;  ///< index into the scenario's list of materials
   std::uint32_t object = 0;    ///< which object of the scenario, in the order of the file
   std::uint32_t instance = 0;  ///< number within an instance list, 0 where there is none
-  std::uint32_t primitive = 0; ///< triangle or shape within its mesh
-  bool back_face = false;      ///< the ray came from the side that the normal pointed away from
+  std::uint32_t primitive = 0;  ///< triangle or shape within its mesh
+  bool back_face = false;       ///< the ray came from the side that the normal pointed away from
+  double lift = 0.0;            ///< how far leaving_origin lifts a ray off the surface, m
 };
 
 struct Bounds {
@@ -34,6 +35,16 @@ struct Bounds {
 };
 
 /// All that rays can hit, ready to be traced from many threads. Cheap to copy (shared, immutable).
+///
+/// Embree finds the surface in floats about the scene's centre; distance, position and normal are
+/// then computed in double from the surface as it is stored (vertices and instance transforms in
+/// float). A hit that double precision puts behind the origin is refused, so that a ray that starts
+/// off a surface never meets it again. With S the largest half extent of the scene and u = 2^-23 S:
+///   - stored surfaces lie within u/2 of what was given (about 0.06 mm a kilometre of scene);
+///   - which surface is found at an edge is decided to within a few u, from any distance;
+///   - distance and position are consistent with the stored surface to double precision.
+/// Rays that go down and find nothing are tried again, displaced by 2, 4 and 8 u, because float
+/// rounding lets one ray in fifty slip through when aimed exactly at a vertex.
 class Scene {
  public:
   struct Data;
@@ -43,6 +54,7 @@ class Scene {
   [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const;
   /// Whether any surface lies on the ray before its max_distance.
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  /// Axis-aligned bounds in scene axes; instances count with their prototype's box. Zero if empty.
   [[nodiscard]] Bounds bounds() const;
   /// Triangles and shapes stored, and those that instances stand for.
   [[nodiscard]] std::uint64_t stored_primitives() const;
@@ -54,7 +66,9 @@ class Scene {
 
 /// Origin for a ray that leaves `hit` towards `direction`: lifted off the surface on that side by a
 /// few units of float resolution at that place, so that it neither meets the surface that it leaves
-/// nor skips one a millimetre away.
+/// nor skips one a millimetre away (in a scene of a kilometre: the lift is at most 0.36 mm).
+/// Idea: Waechter & Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing
+/// Gems (2019), ch. 6; here the lift depends on the place alone, and the double test does the rest.
 [[nodiscard]] Vec3 leaving_origin(const Hit& hit, Vec3 direction);
 
 }  // namespace nadir::geometry

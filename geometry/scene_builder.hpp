@@ -22,24 +22,28 @@ struct Surface {
 ///
 /// A prototype is geometry that is stored once and placed many times. Distributions' Embree knows
 /// one level of instances, so the caller flattens nested lists into one list of placements first.
+/// Mirroring placements keep outward sides outward. Triangles without area are stored but never
+/// hit.
 class SceneBuilder {
  public:
+  struct State;
   SceneBuilder();
   ~SceneBuilder();
   SceneBuilder(SceneBuilder&&) noexcept;
   SceneBuilder& operator=(SceneBuilder&&) noexcept;
 
   /// Places a surface once, its coordinates taken to scene axes by `placement` (baked in double).
-  /// @throws InputError for non-finite vertices, indices out of range, degenerate shapes.
+  /// @throws InputError for non-finite vertices, indices out of range, parts without a material,
+  ///         a mesh without triangles, degenerate shapes and singular placements.
   void add(const Surface& surface, const Affine& placement, std::uint32_t object);
   /// Stores surfaces once and places them many times. Same errors.
   void add_instances(const std::vector<Surface>& prototype, const std::vector<Affine>& placements,
                      std::uint32_t object);
   /// Builds the acceleration structure. The builder is empty afterwards.
+  /// @throws std::runtime_error when Embree fails, for want of memory as a rule.
   [[nodiscard]] Scene build();
 
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -1,0 +1,76 @@
+#pragma once
+// Private to this folder: what a built scene holds.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/transform.hpp"
+#include "geometry/embree.hpp"
+#include "geometry/scene.hpp"
+#include "geometry/shapes.hpp"
+
+namespace nadir::geometry {
+
+/// A shape and the way between its own axes and those of its Embree scene.
+struct PlacedShape {
+  Shape shape;
+  Affine to_scene, from_scene;
+  Bounds padded;  ///< for Embree: with room for the rounding of rays
+};
+
+/// One Embree geometry that is not an instance: a mesh, or one shape.
+struct Item {
+  const float* vertices = nullptr;                ///< three floats each, in Embree's own buffer
+  const std::uint32_t* triangles = nullptr;       ///< three indices each, likewise
+  std::vector<std::uint32_t> triangle_materials;  ///< empty where all have the first material
+  std::uint32_t material = 0;
+  std::uint32_t object = 0;
+  bool mirrored = false;  ///< the placement turned the winding round
+  std::optional<PlacedShape> shape;
+
+  [[nodiscard]] std::uint32_t material_of(std::uint32_t primitive) const {
+    return triangle_materials.empty() ? material : triangle_materials[primitive];
+  }
+};
+
+struct Prototype {
+  embree::SceneHandle scene;
+  std::vector<Item> items;
+};
+
+/// A placement as Embree has it: columns in float, from prototype axes (about the prototype's
+/// centre) to scene axes (about the scene's centre).
+struct Instance {
+  std::array<float, 12> columns{};
+  std::uint32_t prototype = 0;
+  std::uint32_t object = 0;
+  std::uint32_t number = 0;
+
+  [[nodiscard]] Affine placement() const {
+    const auto& c = columns;
+    return {{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}}, {c[9], c[10], c[11]}};
+  }
+};
+
+struct Scene::Data {
+  embree::Device device;
+  embree::SceneHandle top;
+  std::vector<Item> items;          ///< geometry i of the top scene
+  std::vector<Instance> instances;  ///< geometry items.size() + i of the top scene
+  std::vector<Prototype> prototypes;
+  Bounds bounds;        ///< scene axes
+  Bounds padded;        ///< about the centre, with room for float rounding
+  Vec3 centre;          ///< scene axes
+  double extent = 0.0;  ///< largest half extent, m
+  std::uint64_t stored = 0, represented = 0;
+};
+
+/// One unit of float rounding at a coordinate of 1.
+inline constexpr double float_step = 0x1.0p-23;
+
+/// Callbacks through which Embree meets a shape; the user pointer is its Item.
+void attach_shape_callbacks(RTCGeometry geometry, const Item* item);
+
+}  // namespace nadir::geometry
