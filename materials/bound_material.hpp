@@ -14,9 +14,16 @@ struct BoundMaterial {
   Scattering scattering;
 };
 
-/// Takes the material's curves to the lanes, Kirchhoff's law filling what is missing. Wavelengths
-/// outside a curve that holds its end values are reported to `diagnostics`.
-/// @throws InputError where neither curve is given, or one that must cover the lanes does not.
+/// Takes the material's curves to the lanes. Kirchhoff's law for an opaque surface, emissivity =
+/// 1 - reflectance, gives what is missing: a curve that is not there, or that is not tabulated at
+/// a lane where the other one is. Where neither is tabulated the first of reflectance and
+/// emissivity that is there is extrapolated as its `Outside` says.
+///
+/// `diagnostics` gets one message if a curve had to be extrapolated, and one if
+/// reflectance + emissivity exceeds 1, which no passive surface can do.
+///
+/// @throws InputError with every mistake found: neither curve is given, a value is outside [0, 1],
+///         or a curve that must cover the lanes (`Outside::reject`) does not.
 [[nodiscard]] BoundMaterial bind(const Material& material, const spectral::Lanes& lanes,
                                  Diagnostics& diagnostics);
 

@@ -17,7 +17,7 @@ struct Material {
   std::optional<spectral::Curve> reflectance;  ///< directional-hemispherical, in [0, 1]
   std::optional<spectral::Curve> emissivity;   ///< in [0, 1]
   Scattering scattering = Lambertian{};
-  std::optional<SolverSettings> solver;        ///< none: the scenario's default
+  std::optional<SolverSettings> solver;  ///< none: the scenario's default
 };
 
 }  // namespace nadir::materials

@@ -15,6 +15,10 @@ namespace nadir::materials {
 /// reflectance of 1; the material's spectrum scales it.
 using Scattering = std::variant<Lambertian>;
 
+// std::visit throws for a variant that lost its value; models are trivially copyable, so that no
+// assignment can fail half-way and leave one.
+// NOLINTBEGIN(bugprone-exception-escape)
+
 /// Bidirectional reflectance for unit reflectance, without the cosine factor, in sr^-1.
 [[nodiscard]] inline double eval(const Scattering& model, Vec3 wi, Vec3 wo) noexcept {
   return std::visit([&](const auto& m) { return m.eval(wi, wo); }, model);
@@ -28,5 +32,7 @@ using Scattering = std::variant<Lambertian>;
                                                             Vec2 u) noexcept {
   return std::visit([&](const auto& m) { return m.sample(wo, u); }, model);
 }
+
+// NOLINTEND(bugprone-exception-escape)
 
 }  // namespace nadir::materials

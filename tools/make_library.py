@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Writes the shipped data under scenes/library/ from a folder of reference figures.
+
+    tools/make_library.py REFERENCE_DIR [--output scenes/library]
+
+Python's standard library only; the same inputs give the same bytes. What each file is made of
+stands in its header and in scenes/library/README.md.
+"""
+
+import argparse
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+from library import atmosphere, illumination, responses, surfaces  # noqa: E402
+
+
+def main() -> int:
+    root = pathlib.Path(__file__).resolve().parent.parent
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("reference_dir", type=pathlib.Path)
+    parser.add_argument("--output", type=pathlib.Path, default=root / "scenes" / "library")
+    options = parser.parse_args()
+    if not (options.reference_dir / "surfaces_manmade" / "index.csv").is_file():
+        parser.error(f"{options.reference_dir} holds no surfaces_manmade/index.csv")
+    surfaces.write(options.reference_dir, options.output)
+    responses.write(options.reference_dir, options.output)
+    solar = illumination.write(options.reference_dir, options.output)
+    atmosphere.write(options.reference_dir, options.output, solar)
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
