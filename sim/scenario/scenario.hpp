@@ -28,17 +28,16 @@ struct SpectralInput {
 
 /// Sun and moon where an ephemeris puts them for the scenario's instant and site.
 struct ComputedSky {
-  double ut1_minus_utc_s = 0.0;
   std::optional<SpectralInput> solar_irradiance;  ///< W m^-2 um^-1 at 1 AU; none: the sun is dark
   std::optional<SpectralInput> lunar_irradiance;  ///< W m^-2 um^-1 as it arrives; none: dark
 };
 /// A body at given angles.
 struct FixedBody {
   std::string name;
-  double azimuth_deg = 0.0;          ///< clockwise from north
+  double azimuth_deg = 0.0;  ///< clockwise from north
   double elevation_deg = 0.0;
-  double angular_radius_deg = 0.266;
-  SpectralInput irradiance;          ///< W m^-2 um^-1 on a plane normal to the direction
+  double angular_radius_deg = 0.2666;
+  SpectralInput irradiance;  ///< W m^-2 um^-1 on a plane normal to the direction
 };
 struct FixedSky {
   std::vector<FixedBody> bodies;
@@ -109,8 +108,8 @@ struct ObjectInput {
 /// A prototype placed by a list. Lists may nest: a prototype may itself be placed by lists.
 struct InstancesInput {
   std::string name;
-  std::filesystem::path list;    ///< CSV of placements
-  bool on_terrain = false;       ///< up in the list counts from the terrain
+  std::filesystem::path list;  ///< CSV of placements
+  bool on_terrain = false;     ///< up in the list counts from the terrain
   std::vector<ObjectInput> objects;
   std::vector<InstancesInput> nested;
 };
@@ -118,18 +117,20 @@ using GeometryInput = std::variant<TerrainInput, ObjectInput, InstancesInput>;
 
 // ---- sensor -----------------------------------------------------------------------------------
 
+struct LookAtInput {
+  std::variant<geometry::Geodetic, Vec3> target;
+  bool on_terrain = false;
+  double roll_deg = 0.0;  ///< clockwise about the line of sight; 0: image top as high as it goes
+};
+/// Yaw clockwise from north, pitch up from the horizon (-90: straight down), roll right side down.
+struct EulerInput {
+  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+};
 struct PlatformInput {
+  using LookAt = LookAtInput;
+  using Euler = EulerInput;
   std::variant<geometry::Geodetic, Vec3> position;  ///< geodetic, or local east, north, up in m
   bool on_terrain = false;                          ///< local up counts from the terrain
-  struct LookAt {
-    std::variant<geometry::Geodetic, Vec3> target;
-    bool on_terrain = false;
-    double roll_deg = 0.0;  ///< clockwise about the line of sight; 0: image top as high as it goes
-  };
-  /// Yaw clockwise from north, pitch up from the horizon (-90: straight down), roll right side down.
-  struct Euler {
-    double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
-  };
   std::variant<LookAt, Euler> attitude;
 };
 
@@ -150,10 +151,10 @@ struct BandInput {
 
 struct ArrayInput {
   std::string name;
-  int samples = 0, lines = 0;            ///< columns and rows of the detector
-  double pitch_um = 0.0;                 ///< perspective: centre to centre on the focal plane
+  int samples = 0, lines = 0;  ///< columns and rows of the detector
+  double pitch_um = 0.0;       ///< perspective: centre to centre on the focal plane
   double offset_x_um = 0.0, offset_y_um = 0.0;  ///< of the array's centre on the focal plane
-  double ground_pitch_m = 0.0;           ///< orthographic: centre to centre across the beam
+  double ground_pitch_m = 0.0;                  ///< orthographic: centre to centre across the beam
   double offset_x_m = 0.0, offset_y_m = 0.0;    ///< orthographic: of the array's centre
   std::vector<BandInput> bands;
 };
@@ -174,18 +175,20 @@ struct SamplingInput {
 
 struct ProductsInput {
   bool envi = true, exr = true, quick_look = true, truth = true;
-  std::vector<std::string> quick_look_bands;  ///< red, green, blue, or one; empty: chosen for the user
+  std::vector<std::string>
+      quick_look_bands;  ///< red, green, blue, or one; empty: chosen for the user
 };
 
 struct Scenario {
   std::filesystem::path file;
   std::string name;
   std::string title;
-  ephemeris::Instant time;
+  ephemeris::Instant time = ephemeris::Instant::parse_utc("2000-01-01T12:00:00Z");
   geometry::Geodetic origin;  ///< of the scene's axes
   IlluminationInput illumination;
   AirInput air;
   materials::SolverSettings solver;
+  std::vector<std::filesystem::path> libraries;  ///< of materials, which were read
   std::vector<MaterialInput> materials;
   std::vector<GeometryInput> geometry;
   PlatformInput platform;

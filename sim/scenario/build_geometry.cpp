@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include "sim/scenario/build_context.hpp"
+
+namespace nadir::sim {
+namespace {
+
+namespace geo = nadir::geometry;
+
+class GeometryBuilder {
+ public:
+  GeometryBuilder(const BuildContext& context, MaterialNames& materials, bool has_terrain)
+      : context_{context}, materials_{materials}, has_terrain_{has_terrain} {}
+
+  TerrainInput terrain(const CheckedElement& element) {
+    return {name_of(element), element.value<std::filesystem::path>("raster"),
+            element.number("height_offset_m"), materials_.resolve(context_, element)};
+  }
+
+  ObjectInput object(const CheckedElement& element) {
+    return {name_of(element), form(element), placement(element)};
+  }
+
+  InstancesInput instances(const CheckedElement& element) {
+    InstancesInput list{name_of(element),
+                        element.value<std::filesystem::path>("list"),
+                        on_terrain(element),
+                        {},
+                        {}};
+    for (const CheckedElement& child : element.children) {
+      if (child.type->name == "instances") {
+        list.nested.push_back(instances(child));
+      } else {
+        list.objects.push_back(object(child));
+      }
+    }
+    return list;
+  }
+
+ private:
+  static std::string name_of(const CheckedElement& element) {
+    return element.find<std::string>("name").value_or(element.type->name);
+  }
+
+  bool on_terrain(const CheckedElement& element) const {
+    const bool on = element.flag("on_terrain");
+    if (on && !has_terrain_) {
+      context_.mistake(element.where("on_terrain"),
+                       fmt::format("<{}> stands on the terrain, but <geometry> has no <terrain>",
+                                   element.type->name));
+    }
+    return on;
+  }
+
+  PlacementInput placement(const CheckedElement& element) const {
+    return {{element.number("east_m"), element.number("north_m"), element.number("up_m")},
+            element.number("yaw_deg"),
+            element.number("pitch_deg"),
+            element.number("roll_deg"),
+            element.find<Vec3>("scale").value_or(Vec3{1.0, 1.0, 1.0}),
+            on_terrain(element)};
+  }
+
+  FormInput form(const CheckedElement& element) {
+    if (element.type->name == "mesh") return mesh(element);
+    const int material = materials_.resolve(context_, element);
+    return ShapeInput{shape(element), material};
+  }
+
+  MeshInput mesh(const CheckedElement& element) {
+    MeshInput mesh{element.value<std::filesystem::path>("file"), {}};
+    std::vector<const CheckedElement*> parts;
+    for (const CheckedElement& part : element.children) {
+      parts.push_back(&part);
+      mesh.parts.push_back({part.value<std::string>("name"), materials_.resolve(context_, part)});
+    }
+    context_.check_unique(parts, "part");
+    if (element.gives("material")) {
+      mesh.parts.push_back({{}, materials_.resolve(context_, element)});
+    } else if (parts.empty()) {
+      context_.mistake(element.offset, "<mesh> has neither a material nor a <part>",
+                       "write material=\"name\" for the whole mesh");
+    }
+    return mesh;
+  }
+
+  geo::Shape shape(const CheckedElement& element) const {
+    const std::string& kind = element.type->name;
+    if (kind == "sphere") return geo::Sphere{{}, element.number("radius_m")};
+    if (kind == "disc") return disc(element);
+    if (kind == "box") return box(element);
+    if (kind == "cylinder") return cylinder(element);
+    return geo::Plane{{}, element.number("size_x_m"), element.number("size_y_m")};
+  }
+
+  geo::Disc disc(const CheckedElement& element) const {
+    const auto normal = element.find<Vec3>("normal");
+    if (normal && length(*normal) == 0.0) {
+      context_.mistake(element.where("normal"), "the normal of <disc> has no length");
+    }
+    return {{},
+            normal && length(*normal) > 0.0 ? normalised(*normal) : Vec3{0.0, 0.0, 1.0},
+            element.number("radius_m")};
+  }
+
+  geo::Box box(const CheckedElement& element) const {
+    const auto lo = element.find<Vec3>("lo_m"), hi = element.find<Vec3>("hi_m");
+    if (lo && hi && !(lo->x < hi->x && lo->y < hi->y && lo->z < hi->z)) {
+      context_.mistake(element.where("hi_m"),
+                       "each number of hi_m must be greater than that of lo_m");
+    }
+    return {lo.value_or(Vec3{}), hi.value_or(Vec3{})};
+  }
+
+  geo::Cylinder cylinder(const CheckedElement& element) const {
+    const auto base = element.find<Vec3>("base_m"), top = element.find<Vec3>("top_m");
+    if (base && top && *base == *top) {
+      context_.mistake(element.where("top_m"), "base_m and top_m of <cylinder> are the same place");
+    }
+    return {base.value_or(Vec3{}), top.value_or(Vec3{}), element.number("radius_m"),
+            element.flag("capped")};
+  }
+
+  const BuildContext& context_;
+  MaterialNames& materials_;
+  bool has_terrain_;
+};
+
+}  // namespace
+
+void build_geometry(const BuildContext& context, const CheckedElement& element,
+                    MaterialNames& materials, Scenario& scenario) {
+  const CheckedElement* terrain = element.child("terrain");
+  GeometryBuilder builder{context, materials, terrain != nullptr};
+  for (const CheckedElement& child : element.children) {
+    const std::string& kind = child.type->name;
+    if (kind == "terrain") {
+      if (&child != terrain) {
+        context.mistake(child.offset, fmt::format("a second <terrain>; the first is in line {}",
+                                                  context.source.locate(terrain->offset).line));
+      }
+      scenario.geometry.emplace_back(builder.terrain(child));
+    } else if (kind == "instances") {
+      scenario.geometry.emplace_back(builder.instances(child));
+    } else {
+      scenario.geometry.emplace_back(builder.object(child));
+    }
+  }
+}
+
+}  // namespace nadir::sim

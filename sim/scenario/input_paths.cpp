@@ -1,0 +1,33 @@
+#include "sim/scenario/input_paths.hpp"
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "sim/files/data_directory.hpp"
+
+namespace nadir::sim {
+
+namespace fs = std::filesystem;
+
+InputPaths::InputPaths(const fs::path& named_in) : folder_{fs::absolute(named_in).parent_path()} {}
+
+fs::path InputPaths::absolute(const fs::path& written) const {
+  const std::string text = written.string();
+  const std::string prefix = "library:";
+  if (!text.starts_with(prefix)) return (folder_ / written).lexically_normal();
+  return (data_directory() / "library" / text.substr(prefix.size())).lexically_normal();
+}
+
+std::string nearest_file(const fs::path& missing) {
+  std::vector<std::string> names;
+  std::error_code error;
+  constexpr std::size_t most = 1000;  // a look around, not a search
+  for (fs::directory_iterator entry{missing.parent_path(), error}, end;
+       !error && entry != end && names.size() < most; entry.increment(error)) {
+    names.push_back(entry->path().filename().string());
+  }
+  return nearest_name(missing.filename().string(), names);
+}
+
+}  // namespace nadir::sim

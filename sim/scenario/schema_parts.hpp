@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/scenario/schema.hpp"
+
+// Short forms for the lines of the table, and its parts by family of elements.
+
+namespace nadir::sim {
+
+inline Attribute required(std::string name, AttributeType type, std::string unit, std::string doc) {
+  return {std::move(name), std::move(type), std::move(unit), Presence::required, {},
+          std::move(doc)};
+}
+inline Attribute defaulted(std::string name, AttributeType type, std::string unit,
+                           std::string value, std::string doc) {
+  return {std::move(name),     std::move(type),  std::move(unit),
+          Presence::defaulted, std::move(value), std::move(doc)};
+}
+/// @param without  what holds where the attribute is not given
+inline Attribute optional(std::string name, AttributeType type, std::string unit,
+                          std::string without, std::string doc) {
+  return {std::move(name),    std::move(type),    std::move(unit),
+          Presence::optional, std::move(without), std::move(doc)};
+}
+
+inline NumberType from_to(double min, double max) { return {min, max, false, false}; }
+inline NumberType above_to(double min, double max) { return {min, max, true, false}; }
+/// Coordinates in metres: a thousand times the distance of a geostationary satellite would not
+/// make sense in axes that stand on one place of the earth.
+inline NumberType coordinate() { return from_to(-1e8, 1e8); }
+/// From 0 K to the hottest black body for which the Planck function is tested.
+inline NumberType temperature() { return from_to(0.0, 6000.0); }
+inline NumberType latitude() { return from_to(-90.0, 90.0); }
+inline NumberType longitude() { return from_to(-180.0, 360.0); }
+inline NumberType full_turn() { return from_to(-360.0, 360.0); }
+
+[[nodiscard]] std::vector<ElementType> schema_of_root();
+[[nodiscard]] std::vector<ElementType> schema_of_light();
+[[nodiscard]] std::vector<ElementType> schema_of_materials();
+[[nodiscard]] std::vector<ElementType> schema_of_geometry();
+[[nodiscard]] std::vector<ElementType> schema_of_sensor();
+
+}  // namespace nadir::sim
