@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace nadir {
 namespace {
@@ -12,6 +13,9 @@ std::string format_all(const std::vector<InputIssue>& issues) {
   return text;
 }
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Levenshtein's distance, blind to the case of ASCII letters.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -19,7 +23,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      const std::size_t substituted = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
     }
@@ -27,30 +31,49 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// What stands under the text before the caret: blanks, tabs where the text has tabs, and nothing
+/// for the later bytes of a UTF-8 character, so that the caret ends up in its column.
+std::string caret_indent(const std::string& line, int column) {
+  std::string indent;
+  for (const char c : line.substr(0, static_cast<std::size_t>(column) - 1)) {
+    const bool continues_character = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (!continues_character) indent += c == '\t' ? '\t' : ' ';
+  }
+  return indent;
+}
+
+std::string format_location(const SourceLocation& at) {
+  if (at.file.empty()) return {};
+  std::string text = at.file + ":";
+  if (at.line > 0) text += std::to_string(at.line) + ":";
+  if (at.line > 0 && at.column > 0) text += std::to_string(at.column) + ":";
+  return text + " ";
+}
+
+/// The source line behind its number, and a second line with the caret.
+std::string format_source(const InputIssue& issue) {
+  const std::string number = issue.where.line > 0 ? std::to_string(issue.where.line) : "";
+  std::string text = "    " + number + " | " + issue.source_line + "\n";
+  if (issue.where.column > 0) {
+    text += "    " + std::string(number.size(), ' ') + " | " +
+            caret_indent(issue.source_line, issue.where.column) + "^\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string format_issue(const InputIssue& issue) {
-  std::string text;
-  const SourceLocation& at = issue.where;
-  if (!at.file.empty()) {
-    text += at.file + ":";
-    if (at.line > 0) text += std::to_string(at.line) + ":";
-    if (at.line > 0 && at.column > 0) text += std::to_string(at.column) + ":";
-    text += " ";
-  }
-  text += "error: " + issue.message + "\n";
-  if (!issue.source_line.empty()) {
-    const std::string number = std::to_string(at.line);
-    text += "    " + number + " | " + issue.source_line + "\n";
-    if (at.column > 0) {
-      std::string indent = issue.source_line.substr(0, static_cast<std::size_t>(at.column) - 1);
-      for (char& c : indent) c = c == '\t' ? '\t' : ' ';  // tabs keep the caret in its column
-      text += "    " + std::string(number.size(), ' ') + " | " + indent + "^\n";
-    }
-  }
+  std::string text = format_location(issue.where) + "error: " + issue.message + "\n";
+  if (!issue.source_line.empty()) text += format_source(issue);
   if (!issue.hint.empty()) text += "    hint: " + issue.hint + "\n";
   return text;
 }
+
+InputError::InputError(InputIssue issue) : InputError{std::vector<InputIssue>{std::move(issue)}} {}
+
+InputError::InputError(std::string message)
+    : InputError{InputIssue{{}, std::move(message), {}, {}}} {}
 
 InputError::InputError(std::vector<InputIssue> issues)
     : std::runtime_error{format_all(issues)}, issues_{std::move(issues)} {}
@@ -67,7 +90,7 @@ InputError InputError::located(const SourceLocation& where, const std::string& s
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t best_distance = std::min(name.size(), std::max<std::size_t>(1, name.size() / 3) + 1);
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_distance) {

@@ -24,9 +24,7 @@ struct Frame {
   const double sign = std::copysign(1.0, z.z);
   const double a = -1.0 / (sign + z.z);
   const double b = z.x * z.y * a;
-  return {{1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x},
-          {b, sign + z.y * z.y * a, -z.y},
-          z};
+  return {{1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
 /// Unit vector in local east-north-up axes. Azimuth clockwise from north, elevation above the

@@ -12,7 +12,8 @@ struct Quantity {
 
   constexpr Quantity() = default;
   constexpr explicit Quantity(double v) : value{v} {}
-  constexpr auto operator<=>(const Quantity&) const = default;
+  // The check takes the 0 that the compiler compares with for a pointer.
+  constexpr auto operator<=>(const Quantity&) const = default;  // NOLINT(modernize-use-nullptr)
 
   constexpr Quantity& operator+=(Quantity other) {
     value += other.value;
@@ -35,14 +36,14 @@ struct Quantity {
   friend constexpr double operator/(Quantity a, Quantity b) { return a.value / b.value; }
 };
 
-using Micrometres = Quantity<struct MicrometreTag>;                ///< um, wavelength in vacuum
-using Kelvin = Quantity<struct KelvinTag>;                         ///< K
-using Metres = Quantity<struct MetreTag>;                          ///< m
-using Seconds = Quantity<struct SecondTag>;                        ///< s
-using Angle = Quantity<struct RadianTag>;                          ///< rad
-using Radiance = Quantity<struct RadianceTag>;                     ///< W m^-2 sr^-1
-using SpectralRadiance = Quantity<struct RadiancePerUmTag>;        ///< W m^-2 sr^-1 um^-1
-using SpectralIrradiance = Quantity<struct IrradiancePerUmTag>;    ///< W m^-2 um^-1
+using Micrometres = Quantity<struct MicrometreTag>;              ///< um, wavelength in vacuum
+using Kelvin = Quantity<struct KelvinTag>;                       ///< K
+using Metres = Quantity<struct MetreTag>;                        ///< m
+using Seconds = Quantity<struct SecondTag>;                      ///< s
+using Angle = Quantity<struct RadianTag>;                        ///< rad
+using Radiance = Quantity<struct RadianceTag>;                   ///< W m^-2 sr^-1
+using SpectralRadiance = Quantity<struct RadiancePerUmTag>;      ///< W m^-2 sr^-1 um^-1
+using SpectralIrradiance = Quantity<struct IrradiancePerUmTag>;  ///< W m^-2 um^-1
 
 [[nodiscard]] constexpr Angle degrees(double value_deg) {
   return Angle{value_deg * (std::numbers::pi / 180.0)};
@@ -52,9 +53,7 @@ using SpectralIrradiance = Quantity<struct IrradiancePerUmTag>;    ///< W m^-2 u
 }
 
 inline namespace literals {
-constexpr Micrometres operator""_um(long double v) {
-  return Micrometres{static_cast<double>(v)};
-}
+constexpr Micrometres operator""_um(long double v) { return Micrometres{static_cast<double>(v)}; }
 constexpr Kelvin operator""_K(long double v) { return Kelvin{static_cast<double>(v)}; }
 constexpr Metres operator""_m(long double v) { return Metres{static_cast<double>(v)}; }
 constexpr Seconds operator""_s(long double v) { return Seconds{static_cast<double>(v)}; }

@@ -23,16 +23,17 @@ constexpr std::uint32_t permuted_from_low_bits(std::uint32_t v, std::uint32_t se
   return v;
 }
 
-/// Second Sobol dimension of a bit-reversed index, result bit-reversed: the generator matrix is
-/// Pascal's triangle modulo 2, applied by five xor-shifts instead of 32 table rows.
+/// Second Sobol coordinate of an index, bit-reversed. Its digit j after the binary point is the
+/// sum over i of binomial(i, j) times bit i of the index, modulo 2. The binomial is odd where the
+/// bits of j are among those of i (Lucas), so five xor-shifts replace 32 table rows.
 constexpr std::uint32_t second_dimension(std::uint32_t index) noexcept {
-  std::uint32_t v = reversed(index);
+  std::uint32_t v = index;
   v ^= (v & 0xAAAAAAAAU) >> 1;
   v ^= (v & 0xCCCCCCCCU) >> 2;
   v ^= (v & 0xF0F0F0F0U) >> 4;
   v ^= (v & 0xFF00FF00U) >> 8;
   v ^= (v & 0xFFFF0000U) >> 16;
-  return reversed(v);
+  return v;
 }
 
 constexpr double unit_from_reversed(std::uint32_t v) noexcept {
@@ -45,7 +46,7 @@ Vec2 scrambled_sobol_2d(std::uint32_t index, std::uint64_t key) noexcept {
   const std::uint64_t a = mix(key, 0), b = mix(key, 1);
   const std::uint32_t shuffled =
       reversed(permuted_from_low_bits(reversed(index), static_cast<std::uint32_t>(a)));
-  // Dimension 0 of Sobol is the bit-reversed index; reversed once more it is the index itself.
+  // The first Sobol coordinate is the bit-reversed index; reversed once more it is the index.
   const std::uint32_t x = permuted_from_low_bits(shuffled, static_cast<std::uint32_t>(a >> 32));
   const std::uint32_t y =
       permuted_from_low_bits(second_dimension(shuffled), static_cast<std::uint32_t>(b));

@@ -6,7 +6,8 @@
 
 namespace nadir {
 
-/// A value and the standard error of it. The error is NaN where there are fewer than two replicates.
+/// A value and the standard error of it. The error is NaN where there are fewer than two
+/// replicates.
 struct Estimate {
   double mean = 0.0;
   double standard_error = std::numeric_limits<double>::quiet_NaN();
@@ -24,6 +25,10 @@ class Welford {
   }
   constexpr void merge(const Welford& other) noexcept {
     if (other.count_ == 0) return;
+    if (count_ == 0) {  // delta * m / m would round the mean
+      *this = other;
+      return;
+    }
     const double n = static_cast<double>(count_), m = static_cast<double>(other.count_);
     const double delta = other.mean_ - mean_;
     mean_ += delta * m / (n + m);

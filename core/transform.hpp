@@ -10,7 +10,9 @@ namespace nadir {
 struct Mat3 {
   Vec3 x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
 
-  friend constexpr Vec3 operator*(const Mat3& m, Vec3 v) { return v.x * m.x + v.y * m.y + v.z * m.z; }
+  friend constexpr Vec3 operator*(const Mat3& m, Vec3 v) {
+    return v.x * m.x + v.y * m.y + v.z * m.z;
+  }
   friend constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
     return {a * b.x, a * b.y, a * b.z};
   }

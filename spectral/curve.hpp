@@ -38,7 +38,9 @@ class Curve {
   [[nodiscard]] double min_value() const noexcept;
   [[nodiscard]] double max_value() const noexcept;
   [[nodiscard]] bool is_constant() const noexcept { return wavelength_um_.empty(); }
-  [[nodiscard]] const std::vector<double>& wavelengths_um() const noexcept { return wavelength_um_; }
+  [[nodiscard]] const std::vector<double>& wavelengths_um() const noexcept {
+    return wavelength_um_;
+  }
   [[nodiscard]] const std::vector<double>& values() const noexcept { return value_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstddef>
 #include <vector>
 
 #include "core/quantity.hpp"
@@ -31,14 +32,15 @@ class Lanes {
 };
 
 /// One number per lane, in float, without heap. The loops run over whole groups of eight lanes so
-/// that they vectorise without a remainder; lanes past `count` hold unspecified finite numbers and
-/// never reach a result.
+/// that they vectorise without a remainder; the lanes that pad the last group start at 0 and stay
+/// there under every operation with finite scalars, so that they never overflow, trap or slow down.
 class Spectrum {
  public:
   Spectrum() noexcept = default;
   explicit Spectrum(int count, float value = 0.0F) noexcept : count_{count} {
     assert(count >= 0 && count <= lane_capacity);
-    std::fill_n(values_.begin(), padded(), value);
+    const auto end = std::fill_n(values_.begin(), static_cast<std::size_t>(count), value);
+    std::fill(end, values_.begin() + static_cast<std::ptrdiff_t>(padded()), 0.0F);
   }
   Spectrum(const Spectrum& other) noexcept : count_{other.count_} { copy(other); }
   Spectrum& operator=(const Spectrum& other) noexcept {
@@ -50,9 +52,11 @@ class Spectrum {
 
   [[nodiscard]] int count() const noexcept { return count_; }
   [[nodiscard]] float operator[](int lane) const noexcept {
+    assert(lane >= 0 && lane < count_);
     return values_[static_cast<std::size_t>(lane)];
   }
   [[nodiscard]] float& operator[](int lane) noexcept {
+    assert(lane >= 0 && lane < count_);
     return values_[static_cast<std::size_t>(lane)];
   }
 
@@ -75,6 +79,7 @@ class Spectrum {
   }
   /// this += a * b
   Spectrum& add_product(const Spectrum& a, const Spectrum& b) noexcept {
+    assert(a.count_ == count_ && b.count_ == count_);
     for (std::size_t i = 0, n = padded(); i < n; ++i) values_[i] += a.values_[i] * b.values_[i];
     return *this;
   }
@@ -96,9 +101,9 @@ class Spectrum {
 
  private:
   friend class SpectrumSum;
-  static constexpr int group = 8;
+  static constexpr std::size_t group = 8;
   [[nodiscard]] std::size_t padded() const noexcept {
-    return static_cast<std::size_t>((count_ + group - 1) / group * group);
+    return (static_cast<std::size_t>(count_) + group - 1) / group * group;
   }
   void copy(const Spectrum& other) noexcept {
     std::copy_n(other.values_.begin(), padded(), values_.begin());
@@ -118,6 +123,7 @@ class Spectrum {
 class SpectrumSum {
  public:
   explicit SpectrumSum(int count) noexcept : count_{count} {
+    assert(count >= 0 && count <= lane_capacity);
     std::fill_n(values_.begin(), count, 0.0);
   }
   void add(const Spectrum& s, double weight = 1.0) noexcept {

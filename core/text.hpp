@@ -1,0 +1,16 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace nadir {
+
+/// The shortest text that reads back as the same double: 0.1 gives "0.1". For error messages.
+[[nodiscard]] inline std::string number_text(double value) {
+  std::array<char, 32> buffer;  // the longest double, -2.2250738585072014e-308, takes 24
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace nadir

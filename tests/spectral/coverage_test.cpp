@@ -1,0 +1,32 @@
+#include "spectral/coverage.hpp"
+
+#include <string>
+
+#include "core/error.hpp"
+#include "support/catch.hpp"
+
+namespace nadir::spectral {
+namespace {
+
+const Curve curve{{0.4, 1.0}, {2.0, 8.0}, Outside::reject};
+
+TEST_CASE("a curve that covers the lanes is taken to them", "[spectral]") {
+  const Spectrum s = at_all(curve, Lanes{{0.4_um, 0.7_um, 1.0_um}}, "the sky's radiance");
+  CHECK(s[0] == 2.0F);
+  CHECK(s[1] == Approx(5.0).epsilon(1e-6));  // float lanes
+  CHECK(s[2] == 8.0F);
+}
+
+TEST_CASE("a curve that does not cover the lanes is an error that says both ranges", "[spectral]") {
+  try {
+    (void)at_all(curve, Lanes{{0.5_um, 10.9_um}}, "the sky's radiance");
+    FAIL("no error");
+  } catch (const InputError& error) {
+    CHECK(std::string{error.what()} ==
+          "error: the sky's radiance is tabulated from 0.4 to 1 um, but the bands need it from "
+          "0.5 to 10.9 um\n");
+  }
+}
+
+}  // namespace
+}  // namespace nadir::spectral
