@@ -7,16 +7,16 @@ namespace nadir::radiometry {
 /// What the solver did: rays by kind, and how often each threshold changed a sample's fate.
 struct Counters {
   std::uint64_t primary_rays = 0;
-  std::uint64_t target_rays = 0;        ///< towards sun, moon or lamp
+  std::uint64_t target_rays = 0;  ///< towards sun, moon or lamp
   std::uint64_t full_samples = 0;
   std::uint64_t direct_only_samples = 0;
-  std::uint64_t truth_rays = 0;         ///< for the shadow plane
+  std::uint64_t truth_rays = 0;  ///< for the shadow plane
   std::uint64_t current_weight_stops = 0;
   std::uint64_t target_weight_skips = 0;
   std::uint64_t full_weight_downgrades = 0;
   std::uint64_t quick_weight_skips = 0;
   std::uint64_t raw_weight_skips = 0;
-  std::uint64_t bounce_limit_stops = 0; ///< hits whose full samples the bounce limit forbade
+  std::uint64_t bounce_limit_stops = 0;  ///< hits whose full samples the bounce limit forbade
 
   Counters& operator+=(const Counters& b) noexcept {
     primary_rays += b.primary_rays;

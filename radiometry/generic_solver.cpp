@@ -28,9 +28,9 @@ struct GenericSolver::Visit {
   const Hit& hit;
   const materials::BoundMaterial& material;
   const materials::SolverSettings& settings;
-  Frame frame;         // about the normal
-  Vec3 wo;             // towards the ray that asked, local
-  double weight;       // of that ray
+  Frame frame;    // about the normal
+  Vec3 wo;        // towards the ray that asked, local
+  double weight;  // of that ray
   int generation;
   Sampler sampler;
 

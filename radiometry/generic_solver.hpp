@@ -15,8 +15,8 @@ namespace nadir::radiometry {
 ///     L(wo) = eps B(T) + sum over targets  f cos E  +  sum over quads  DOmega <f cos L(wi)>
 ///
 /// Quads of the reflecting hemisphere are filled by full samples (rays whose hit is solved in turn)
-/// and topped up with direct-only samples (rays that collect only what their hit emits, or the sky).
-/// What a quad receives is split into its direct part, the mean over all its samples, and its
+/// and topped up with direct-only samples (rays that collect only what their hit emits, or the
+/// sky). What a quad receives is split into its direct part, the mean over all its samples, and its
 /// scattered part, the sum over its full samples divided by their expected number. Where a quad has
 /// samples of one kind only this is the plain mean; otherwise it is what keeps the top-up from
 /// darkening the quad. Bias remains from the bounce limit, from the sample budget where targets use

@@ -19,9 +19,10 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
   for (const ephemeris::LightSource& body : illumination) {
     const double sin_radius = std::sin(body.angular_radius.value);
     if (body.direction_enu.z <= -sin_radius) continue;  // the whole disc is below
-    targets.push_back({body.direction_enu, sin_radius, std::cos(body.angular_radius.value),
-                       spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
-                           air.direct_transmittance(body.direction_enu)});
+    targets.push_back(
+        {body.direction_enu, sin_radius, std::cos(body.angular_radius.value),
+         spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
+             air.direct_transmittance(body.direction_enu)});
   }
   return targets;
 }

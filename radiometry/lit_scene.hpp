@@ -19,15 +19,15 @@ struct SceneDescription {
   thermal::TemperatureField temperature;
   ephemeris::Illumination illumination;
   atmosphere::Atmosphere atmosphere;
-  materials::SolverSettings solver;            ///< for materials without their own
+  materials::SolverSettings solver;  ///< for materials without their own
 };
 
 /// A body at the wavelengths of a block: its light as it reaches a surface.
 struct Target {
-  Vec3 direction;                ///< unit, towards the disc's centre, scene axes
-  double sin_radius = 0.0;       ///< of the angular radius
+  Vec3 direction;           ///< unit, towards the disc's centre, scene axes
+  double sin_radius = 0.0;  ///< of the angular radius
   double cos_radius = 1.0;
-  spectral::Spectrum irradiance; ///< at the surface on a plane normal to it, W m^-2 um^-1
+  spectral::Spectrum irradiance;  ///< at the surface on a plane normal to it, W m^-2 um^-1
 };
 
 /// A scene at the wavelengths of one block of lanes: what the solvers look up, immutable.

@@ -5,7 +5,8 @@
 namespace nadir::radiometry {
 
 /// Full samples that a hit of generation g starts: ceil(initial / decay^g).
-[[nodiscard]] inline int full_sample_count(int initial, double decay_rate, int generation) noexcept {
+[[nodiscard]] inline int full_sample_count(int initial, double decay_rate,
+                                           int generation) noexcept {
   return static_cast<int>(std::ceil(initial / std::pow(decay_rate, generation)));
 }
 

@@ -28,12 +28,12 @@ struct Band {
 /// A framing detector array: all its pixels see the scene at the same time, in all its bands.
 struct DetectorArray {
   std::string name;
-  int samples = 0;         ///< columns, > 0
-  int lines = 0;           ///< rows, > 0
+  int samples = 0;  ///< columns, > 0
+  int lines = 0;    ///< rows, > 0
   Projection projection;
-  double pitch_m = 0.0;    ///< pixel centre to pixel centre on the focal plane, > 0
-  double offset_x_m = 0.0; ///< of the array's centre from the principal point, towards image right
-  double offset_y_m = 0.0; ///< the same, towards image down
+  double pitch_m = 0.0;     ///< pixel centre to pixel centre on the focal plane, > 0
+  double offset_x_m = 0.0;  ///< of the array's centre from the principal point, towards image right
+  double offset_y_m = 0.0;  ///< the same, towards image down
   std::vector<Band> bands;
 };
 

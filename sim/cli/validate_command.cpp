@@ -3,28 +3,34 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/diagnostics.hpp"
 #include "core/error.hpp"
+#include "sim/run/run.hpp"
 #include "sim/scenario/material_library.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
 namespace nadir::sim {
 namespace {
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+std::string counted(std::uint64_t count, const std::string& one, const std::string& many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string summary(const Scenario& scenario) {
-  std::size_t bands = 0;
-  for (const ArrayInput& array : scenario.camera.arrays) bands += array.bands.size();
-  return counted(scenario.geometry.size(), "object") + ", " +
-         counted(scenario.materials.size(), "material") + ", " + counted(bands, "band") + " in " +
-         counted(scenario.camera.arrays.size(), "array");
+std::string counted(std::uint64_t count, const std::string& thing) {
+  return counted(count, thing, thing + "s");
+}
+
+std::string summary(const Validation& found) {
+  return counted(found.objects, "object") + " of " +
+         counted(found.represented_primitives, "triangle or shape", "triangles and shapes") + " (" +
+         fmt::format("{} stored", found.stored_primitives) + "), " +
+         counted(found.materials, "material") + ", " + counted(found.bands, "band") + " in " +
+         counted(found.arrays, "array");
 }
 
 /// Prints what is right and what is doubtful. @throws InputError for what is wrong
@@ -33,10 +39,9 @@ void validate(const std::string& file) {
     fmt::print("{}: ok ({})\n", file, counted(read_material_library(file).size(), "material"));
     return;
   }
-  Diagnostics diagnostics;
-  const Scenario scenario = read_scenario(file, diagnostics);
-  fmt::print("{}: ok ({})\n", file, summary(scenario));
-  for (const std::string& message : diagnostics.messages()) fmt::print("  {}\n", message);
+  const Validation found = validate_scenario(file);
+  fmt::print("{}: ok ({})\n", file, summary(found));
+  for (const std::string& warning : found.warnings) fmt::print("  {}\n", warning);
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ TEST_CASE("a Lambertian plane under the sun alone reflects rho E cos / pi", "[ra
   // A point-like sun, so that the cosine is that of the disc's centre to 1e-9.
   scene.add_body(120.0, 90.0 - zenith_deg, 1e-4, 1500.0);
   const auto seen = measure(scene.build(), visible, downward(), 4, 4);
-  const double expected =
-      0.3 * 1500.0 * std::cos(degrees(zenith_deg).value) * std::numbers::inv_pi;
+  const double expected = 0.3 * 1500.0 * std::cos(degrees(zenith_deg).value) * std::numbers::inv_pi;
   CAPTURE(zenith_deg);
   // At 85 degrees the drawn direction moves the cosine by up to 1e-4 deg * tan(85) = 2e-5.
   for (const Estimate& lane : seen.lanes) CHECK(lane.mean == Approx(expected).epsilon(3e-5));
@@ -97,8 +96,7 @@ TEST_CASE("a closed furnace approaches Planck as bounces grow, short by rho^(bou
                   .max_bounces = max_bounces,
                   .mu_samples = 4,
                   .phi_samples = 4};
-  const auto seen =
-      measure(scene.build(), thermal_ir, {{0.0, 0.0, 0.0}, {0.0, 0.6, -0.8}}, 16, 16);
+  const auto seen = measure(scene.build(), thermal_ir, {{0.0, 0.0, 0.0}, {0.0, 0.6, -0.8}}, 16, 16);
   CAPTURE(max_bounces);
   for (int i = 0; i < thermal_ir.count(); ++i) {
     const double expected =
@@ -135,9 +133,10 @@ TEST_CASE("the path through uniform air attenuates, scatters and emits", "[radio
   SmallScene scene;
   scene.add(ground(2.0), scene.material(grey(0.0), 300.0_K));
   SceneDescription description = scene.build();
-  description.atmosphere = atmosphere::Uniform{
-      spectral::Curve::constant(0.0), Kelvin{0.0},        spectral::Curve::constant(1.0),
-      spectral::Curve::constant(0.7), spectral::Curve::constant(0.25), 280.0_K};
+  description.atmosphere =
+      atmosphere::Uniform{spectral::Curve::constant(0.0),  Kelvin{0.0},
+                          spectral::Curve::constant(1.0),  spectral::Curve::constant(0.7),
+                          spectral::Curve::constant(0.25), 280.0_K};
   const auto seen = measure(description, thermal_ir, downward(), 4, 1);
   for (int i = 0; i < thermal_ir.count(); ++i) {
     const double expected = 0.7 * spectral::planck(thermal_ir[i], 300.0_K).value + 0.25 +

@@ -33,24 +33,20 @@ class SmallScene {
   }
   void add_body(double azimuth_deg, double elevation_deg, double angular_radius_deg,
                 double irradiance) {
-    illumination_.push_back({"sun",
-                             direction_enu(degrees(azimuth_deg).value, degrees(elevation_deg).value),
-                             degrees(angular_radius_deg), spectral::Curve::constant(irradiance)});
+    illumination_.push_back(
+        {"sun", direction_enu(degrees(azimuth_deg).value, degrees(elevation_deg).value),
+         degrees(angular_radius_deg), spectral::Curve::constant(irradiance)});
   }
   void sky(double radiance, Kelvin temperature = Kelvin{0.0}) {
     const auto one = spectral::Curve::constant(1.0), none = spectral::Curve::constant(0.0);
-    air_ = atmosphere::Uniform{spectral::Curve::constant(radiance), temperature, one, one, none,
-                               Kelvin{0.0}};
+    air_ = atmosphere::Uniform{
+        spectral::Curve::constant(radiance), temperature, one, one, none, Kelvin{0.0}};
   }
   materials::SolverSettings solver;
 
   SceneDescription build() {
-    return {builder_.build(),
-            materials_,
-            thermal::TemperatureField{temperatures_},
-            illumination_,
-            air_,
-            solver};
+    return {builder_.build(), materials_, thermal::TemperatureField{temperatures_},
+            illumination_,    air_,       solver};
   }
 
  private:
@@ -79,7 +75,8 @@ inline Measured measure(const SceneDescription& scene, const spectral::Lanes& la
   for (int r = 0; r < replicates; ++r) {
     spectral::SpectrumSum sum{lanes.count()};
     for (int i = 0; i < samples; ++i) {
-      const Sampler numbers{mix(seed, static_cast<std::uint64_t>(r)), static_cast<std::uint32_t>(i)};
+      const Sampler numbers{mix(seed, static_cast<std::uint64_t>(r)),
+                            static_cast<std::uint32_t>(i)};
       sum.add(solver.aperture_radiance(ray, hit, numbers));
     }
     for (std::size_t lane = 0; lane < spread.size(); ++lane) {

@@ -79,11 +79,10 @@ SmallScene floor_and_wall(double reflectance) {
 
 TEST_CASE("full samples and top-up come in the numbers that the settings say", "[radiometry]") {
   SmallScene scene;
-  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0},
-            scene.material(grey(0.5), Kelvin{0.0}));
+  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
   scene.sky(1.0);
-  scene.solver = {.initial_sample_count = 7, .mu_samples = 3, .phi_samples = 4,
-                  .min_quad_samples = 2};
+  scene.solver = {
+      .initial_sample_count = 7, .mu_samples = 3, .phi_samples = 4, .min_quad_samples = 2};
   const Counters all = measure(scene.build(), one_lane, downward(), 2, 50).counters;
   CHECK(all.primary_rays == 100);
   CHECK(all.full_samples == 700);  // all rays leave to the sky: one generation only
@@ -94,8 +93,7 @@ TEST_CASE("full samples and top-up come in the numbers that the settings say", "
 
 TEST_CASE("targets are taken from the budget of full samples", "[radiometry]") {
   SmallScene scene;
-  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0},
-            scene.material(grey(0.5), Kelvin{0.0}));
+  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
   scene.add_body(0.0, 50.0, 0.266, 1000.0);
   scene.add_body(90.0, 20.0, 0.266, 1.0);
   scene.add_body(90.0, -5.0, 0.266, 1.0);  // below the horizon: neither sampled nor charged
@@ -132,8 +130,11 @@ TEST_CASE("full samples lose weight from bounce to bounce until they are downgra
           "[radiometry]") {
   // The second generation's weight is about 0.0011^2 = 1.2e-6: no full sample leaves it.
   SmallScene scene = floor_and_wall(0.0011);
-  scene.solver = {.initial_sample_count = 8, .sample_decay_rate = 1.0, .max_bounces = 9,
-                  .mu_samples = 2, .phi_samples = 4};
+  scene.solver = {.initial_sample_count = 8,
+                  .sample_decay_rate = 1.0,
+                  .max_bounces = 9,
+                  .mu_samples = 2,
+                  .phi_samples = 4};
   const Counters all = measure(scene.build(), one_lane, downward(), 1, 200).counters;
   CHECK(all.full_weight_downgrades > 0);
   CHECK(all.bounce_limit_stops == 0);
@@ -152,8 +153,7 @@ TEST_CASE("a ray of too little weight gets only the self-emission of what it hit
   const double emitted = 0.6 * spectral::planck(10.0_um, 300.0_K).value;
   GenericSolver solver{lit};
   const auto seen = [&](double weight) {
-    return static_cast<double>(
-        solver.surface_radiance(downward(), *hit, Sampler{1, 0}, weight)[0]);
+    return static_cast<double>(solver.surface_radiance(downward(), *hit, Sampler{1, 0}, weight)[0]);
   };
   CHECK(seen(0.9 * thresholds::current_weight) == Approx(emitted).epsilon(1e-6));
   CHECK(solver.counters().current_weight_stops == 1);
@@ -170,8 +170,7 @@ TEST_CASE("a sun half below the scene's horizon gives half its light", "[radiome
   scene.add_body(180.0, 0.0, 0.266, 1000.0);
   scene.solver.min_quad_samples = 0;
   scene.solver.initial_sample_count = 0;
-  const auto seen =
-      measure(scene.build(), one_lane, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 64);
+  const auto seen = measure(scene.build(), one_lane, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 64);
   // 64 scrambled points split an area in two to better than 1/64 each, 16 replicates average that.
   CHECK(seen.lanes[0].mean == Approx(500.0 * std::numbers::inv_pi).epsilon(0.01));
 }
@@ -195,8 +194,12 @@ TEST_CASE("interreflection in a corner does not depend on how samples are split 
   for (const int min_quad_samples : {0, 1, 4}) {
     SmallScene scene = floor_and_wall(0.8);
     scene.add_body(225.0, 45.0, 0.266, 10.0);
-    scene.solver = {.initial_sample_count = 6, .sample_decay_rate = 1.0, .max_bounces = 2,
-                    .mu_samples = 2, .phi_samples = 4, .min_quad_samples = min_quad_samples};
+    scene.solver = {.initial_sample_count = 6,
+                    .sample_decay_rate = 1.0,
+                    .max_bounces = 2,
+                    .mu_samples = 2,
+                    .phi_samples = 4,
+                    .min_quad_samples = min_quad_samples};
     const Estimate seen = measure(scene.build(), one_lane, downward(), 16, 64).lanes[0];
     CAPTURE(min_quad_samples, seen.mean, seen.standard_error);
     CHECK(seen.standard_error < 0.01 * seen.mean);

@@ -1,0 +1,69 @@
+#include "sim/cli/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "sim/run/progress.hpp"
+#include "sim/run/run.hpp"
+
+namespace nadir::sim {
+namespace {
+
+struct Options {
+  RunOptions run;
+  bool quiet = false;
+};
+
+void print_outcome(const RunOutcome& outcome) {
+  const RunReport& report = outcome.report;
+  double render_s = 0.0;
+  for (const StageTime& stage : report.stages) {
+    if (stage.name == "render") render_s = stage.wall_s;
+  }
+  const double rays = static_cast<double>(report.counters.at("rays"));
+  fmt::print("rendered in {:.1f} s, {:.1f} million rays\n", render_s, rays * 1e-6);
+  for (const ArraySummary& array : report.arrays) {
+    for (const BandSummary& band : array.bands) {
+      fmt::print(
+          "  {:<10} {:<16} {:8.4f} um   mean {:10.4g} W m^-2 sr^-1 um^-1   "
+          "median error {:5.2f} %\n",
+          array.name, band.name, band.centre_um, band.radiance.mean,
+          100.0 * band.median_relative_error);
+    }
+  }
+  for (const FileRecord& product : report.products) fmt::print("{}\n", product.path.string());
+  fmt::print("{}\n", outcome.report_file.string());
+}
+
+void run(Options options) {
+  if (options.run.output.empty()) {
+    options.run.output = std::filesystem::path{"out"} / options.run.scenario.stem();
+  }
+  Progress progress{stderr, Progress::style_for(stderr, options.quiet)};
+  options.run.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+  const RunOutcome outcome = run_scenario(options.run);
+  for (const std::string& warning : outcome.report.warnings) {
+    fmt::print(stderr, "warning: {}\n", warning);
+  }
+  if (!options.quiet) print_outcome(outcome);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("run", "Render a scenario into band images");
+  command->add_option("scenario", options->run.scenario, "Scenario file (XML)")->required();
+  command->add_option("-o,--output", options->run.output,
+                      "Folder for the products [out/<scenario's file name>]");
+  command->add_option("--seed", options->run.seed, "Seed of all random numbers [1]");
+  command->add_option("--threads", options->run.threads, "Threads; 0: one per processor [0]")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace nadir::sim

@@ -1,0 +1,112 @@
+#include "sim/run/load_geometry.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/scene_builder.hpp"
+#include "geometry/terrain.hpp"
+#include "sim/files/instance_list.hpp"
+#include "sim/files/raster.hpp"
+#include "sim/run/error_list.hpp"
+#include "sim/run/read_surface.hpp"
+
+namespace nadir::sim {
+namespace {
+
+/// Gathers the scenario's geometry object by object; the terrain first, since others stand on it.
+class GeometryReader {
+ public:
+  GeometryReader(const geometry::LocalFrame& frame, InputFiles& files)
+      : frame_{&frame}, files_{&files} {}
+
+  void add_terrain(const TerrainInput& input, std::uint32_t object) {
+    const auto grid = read_height_grid(files_->note(input.raster), input.height_offset_m);
+    const geometry::Surface surface{geometry::terrain_mesh(grid, *frame_),
+                                    {static_cast<std::uint32_t>(input.material)}};
+    geometry::SceneBuilder alone;
+    alone.add(surface, Affine{}, object);
+    terrain_ = TerrainProbe{alone.build()};
+    builder_.add(surface, Affine{}, object);
+  }
+
+  void add_object(const ObjectInput& input, std::uint32_t object) {
+    const geometry::Surface surface = read_surface(input.form, *files_);
+    builder_.add(surface, placed(input.placement), object);
+  }
+
+  void add_instances(const InstancesInput& input, std::uint32_t object) {
+    add_nested(input, {Affine{}}, object);
+  }
+
+  [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_}; }
+
+ private:
+  [[nodiscard]] Affine placed(const PlacementInput& input) const {
+    Placement placement{input.position_m, input.yaw_deg, input.pitch_deg,
+                        input.roll_deg,   input.scale,   {}};
+    if (input.on_terrain) placement.position = terrain_.lifted(placement.position);
+    return affine(placement);
+  }
+
+  [[nodiscard]] std::vector<Affine> read_list(const InstancesInput& input) {
+    std::vector<Affine> placements;
+    ErrorList errors;
+    for (Placement& placement : read_instance_list(files_->note(input.list))) {
+      errors.attempt([&] {
+        if (input.on_terrain) placement.position = terrain_.lifted(placement.position);
+        placements.push_back(affine(placement));
+      });
+    }
+    errors.throw_if_any();
+    return placements;
+  }
+
+  /// Distributions' Embree has one instance level, so lists within lists become one long list.
+  void add_nested(const InstancesInput& input, const std::vector<Affine>& outer,
+                  std::uint32_t object) {
+    const std::vector<Affine> placements = flatten(outer, read_list(input));
+    for (const ObjectInput& part : input.objects) {
+      const Affine own = placed(part.placement);
+      std::vector<Affine> of_part;
+      std::transform(placements.begin(), placements.end(), std::back_inserter(of_part),
+                     [&](const Affine& placement) { return placement * own; });
+      builder_.add_instances({read_surface(part.form, *files_)}, of_part, object);
+    }
+    for (const InstancesInput& nested : input.nested) add_nested(nested, placements, object);
+  }
+
+  const geometry::LocalFrame* frame_;
+  InputFiles* files_;
+  geometry::SceneBuilder builder_;
+  TerrainProbe terrain_;
+};
+
+}  // namespace
+
+LoadedGeometry load_geometry(const Scenario& scenario, const geometry::LocalFrame& frame,
+                             InputFiles& files) {
+  GeometryReader reader{frame, files};
+  ErrorList errors;
+  const auto number_of = [&](const GeometryInput& input) {
+    return static_cast<std::uint32_t>(&input - scenario.geometry.data());
+  };
+  for (const GeometryInput& input : scenario.geometry) {
+    if (const auto* terrain = std::get_if<TerrainInput>(&input)) {
+      errors.attempt([&] { reader.add_terrain(*terrain, number_of(input)); });
+    }
+  }
+  errors.throw_if_any();  // without its terrain every object on it would be a mistake of its own
+  for (const GeometryInput& input : scenario.geometry) {
+    errors.attempt([&] {
+      if (const auto* object = std::get_if<ObjectInput>(&input)) {
+        reader.add_object(*object, number_of(input));
+      } else if (const auto* instances = std::get_if<InstancesInput>(&input)) {
+        reader.add_instances(*instances, number_of(input));
+      }
+    });
+  }
+  errors.throw_if_any();
+  return reader.finish();
+}
+
+}  // namespace nadir::sim

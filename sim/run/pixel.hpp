@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/statistics.hpp"
+#include "radiometry/generic_solver.hpp"
+#include "sim/plan/array_plan.hpp"
+#include "sim/run/image.hpp"
+#include "sim/run/render.hpp"
+
+namespace nadir::sim {
+
+/// One detector array against the scene, at the wavelengths that its bands need.
+struct ArrayJob {
+  const radiometry::SceneDescription* scene = nullptr;
+  const sensor::Pose* pose = nullptr;
+  const sensor::DetectorArray* array = nullptr;
+  ArrayPlan plan;
+  std::vector<radiometry::LitScene> blocks;  ///< the scene at each block of lanes
+};
+
+/// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and
+/// all scratch memory, so that a pixel allocates nothing.
+class PixelRenderer {
+ public:
+  PixelRenderer(const ArrayJob& job, const RenderOptions& options, std::uint64_t array_key);
+
+  /// Computes a pixel and stores it in the image; pixels may be computed in any order.
+  void render(int sample, int line, ArrayImage& image);
+  [[nodiscard]] radiometry::Counters counters() const;
+
+ private:
+  struct TruthSums;
+  [[nodiscard]] geometry::Ray draw_ray(const Sampler& numbers, int sample, int line) const;
+  [[nodiscard]] const ephemeris::LightSource* sun() const;  // or null
+  void add_truth(const geometry::Hit& hit, TruthSums& truth);
+  void store(std::size_t pixel, const TruthSums& truth, ArrayImage& image) const;
+
+  const ArrayJob* job_;
+  const RenderOptions* options_;
+  std::uint64_t array_key_;
+  std::vector<radiometry::GenericSolver> solvers_;  // one a block
+  std::vector<Welford> spread_;                     // one a band
+  std::vector<double> band_sums_;                   // one a band
+  std::vector<spectral::SpectrumSum> lane_sums_;    // one a block
+  std::vector<std::uint32_t> material_votes_;       // one a material, and the sky first
+  std::uint64_t truth_rays_ = 0;
+};
+
+}  // namespace nadir::sim

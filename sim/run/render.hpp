@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "radiometry/counters.hpp"
+#include "radiometry/lit_scene.hpp"
+#include "sensor/detector_array.hpp"
+#include "sim/run/image.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace nadir::sim {
+
+/// A camera ready to be pointed at a scene.
+struct Camera {
+  sensor::Pose pose;
+  std::vector<sensor::DetectorArray> arrays;
+};
+
+struct RenderOptions {
+  SamplingInput sampling;
+  std::uint64_t seed = 1;
+  int threads = 0;    ///< 0: one per processor
+  bool truth = true;  ///< fill the truth planes (costs a ray per path for the shadow plane)
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each tile
+};
+
+struct RenderResult {
+  std::vector<ArrayImage> images;
+  radiometry::Counters counters;
+};
+
+/// Computes every pixel of every array. The result does not depend on the number of threads.
+/// @throws InputError where a spectrum does not serve the bands
+[[nodiscard]] RenderResult render(const radiometry::SceneDescription& scene, const Camera& camera,
+                                  const RenderOptions& options, Diagnostics& diagnostics);
+
+}  // namespace nadir::sim

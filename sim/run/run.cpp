@@ -1,0 +1,134 @@
+#include "sim/run/run.hpp"
+
+#include "sim/run/render.hpp"
+#include "sim/run/stage_clock.hpp"
+#include "sim/run/tiles.hpp"
+#include "sim/run/world.hpp"
+#include "sim/scenario/read_scenario.hpp"
+
+namespace nadir::sim {
+namespace {
+
+ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
+  const auto& solver = scenario.solver;
+  const auto integer = [](auto value) { return static_cast<std::int64_t>(value); };
+  return {{"solver", std::string{"generic"}},
+          {"initial_sample_count", integer(solver.initial_sample_count)},
+          {"sample_decay_rate", solver.sample_decay_rate},
+          {"max_bounces", integer(solver.max_bounces)},
+          {"mu_samples", integer(solver.mu_samples)},
+          {"phi_samples", integer(solver.phi_samples)},
+          {"min_quad_samples", integer(solver.min_quad_samples)},
+          {"replicates", integer(scenario.sampling.replicates)},
+          {"samples_per_replicate", integer(scenario.sampling.samples_per_replicate)},
+          {"wavelengths_per_band", integer(scenario.sampling.wavelengths_per_band)},
+          {"seed", integer(options.seed)},
+          {"threads", integer(options.threads)}};
+}
+
+std::map<std::string, std::uint64_t> counters_of(const radiometry::Counters& c) {
+  return {{"primary_rays", c.primary_rays},
+          {"target_rays", c.target_rays},
+          {"full_samples", c.full_samples},
+          {"direct_only_samples", c.direct_only_samples},
+          {"truth_rays", c.truth_rays},
+          {"rays", c.rays()},
+          {"current_weight_stops", c.current_weight_stops},
+          {"target_weight_skips", c.target_weight_skips},
+          {"full_weight_downgrades", c.full_weight_downgrades},
+          {"quick_weight_skips", c.quick_weight_skips},
+          {"raw_weight_skips", c.raw_weight_skips},
+          {"bounce_limit_stops", c.bounce_limit_stops}};
+}
+
+ProductContext context_of(const Scenario& scenario, Diagnostics& diagnostics) {
+  ProductContext context;
+  context.scenario_name = scenario.name;
+  context.title = scenario.title;
+  context.time_utc = scenario.time.to_string();
+  context.version = NADIR_VERSION;
+  context.envi = scenario.products.envi;
+  context.exr = scenario.products.exr;
+  context.quick_look = scenario.products.quick_look;
+  context.truth = scenario.products.truth;
+  context.quick_look_bands = scenario.products.quick_look_bands;
+  context.diagnostics = &diagnostics;
+  return context;
+}
+
+void describe(const Scenario& scenario, const RunOptions& options, RunReport& report) {
+  report.version = NADIR_VERSION;
+  report.scenario_file = scenario.file;
+  report.scenario_name = scenario.name;
+  report.scenario_title = scenario.title;
+  report.scenario_time_utc = scenario.time.to_string();
+  report.options = {{"seed", static_cast<std::int64_t>(options.seed)}};
+  report.settings = settings_of(scenario, options);
+}
+
+std::vector<FileRecord> record_inputs(const InputFiles& inputs) {
+  std::vector<FileRecord> records;
+  for (const auto& file : inputs.all()) {
+    records.push_back(record_file(file.extension().string(), file));
+  }
+  return records;
+}
+
+}  // namespace
+
+RunOutcome run_scenario(const RunOptions& options) {
+  const ThreadLimit limit{options.threads};  // building the scene is threaded as well
+  StageClock clock;
+  Diagnostics diagnostics;
+  InputFiles inputs;
+  RunReport report;
+  report.started_utc = clock_utc();
+
+  const Scenario scenario =
+      clock.stage("read scenario", [&] { return read_scenario(options.scenario, diagnostics); });
+  describe(scenario, options, report);
+  const World world =
+      clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
+  report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs); });
+  const RenderResult result = clock.stage("render", [&] {
+    return render(world.scene, world.camera,
+                  {scenario.sampling, options.seed, options.threads, scenario.products.truth,
+                   options.progress},
+                  diagnostics);
+  });
+  report.counters = counters_of(result.counters);
+  const auto products = clock.stage("write products", [&] {
+    return write_products(result.images, context_of(scenario, diagnostics), options.output);
+  });
+  for (const ProductFile& product : products) {
+    report.products.push_back(record_file(product.kind, product.path));
+  }
+  for (const ArrayImage& image : result.images) report.arrays.push_back(summarise(image));
+  report.stages = clock.stages();
+  report.warnings = diagnostics.messages();
+  report.peak_memory_bytes = peak_memory_bytes();
+  report.finished_utc = clock_utc();
+  const std::filesystem::path report_file = options.output / "report.json";
+  write_report(report_file, report);
+  return {std::move(report), report_file};
+}
+
+Validation validate_scenario(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  InputFiles inputs;
+  const Scenario scenario = read_scenario(file, diagnostics);
+  const World world = load_world(scenario, inputs, diagnostics);
+  check_spectra(world, scenario.sampling, diagnostics);
+  Validation found;
+  found.name = scenario.name;
+  found.objects = scenario.geometry.size();
+  found.materials = scenario.materials.size();
+  found.arrays = world.camera.arrays.size();
+  for (const auto& array : world.camera.arrays) found.bands += array.bands.size();
+  found.stored_primitives = world.scene.geometry.stored_primitives();
+  found.represented_primitives = world.scene.geometry.represented_primitives();
+  found.warnings = diagnostics.messages();
+  return found;
+}
+
+}  // namespace nadir::sim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "sim/products/report.hpp"
+#include "sim/products/write_products.hpp"
+
+namespace nadir::sim {
+
+struct RunOptions {
+  std::filesystem::path scenario;
+  std::filesystem::path output;  ///< folder of the products; made where it is missing
+  std::uint64_t seed = 1;
+  int threads = 0;                                                  ///< 0: one per processor
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< tiles rendered
+};
+
+struct RunOutcome {
+  RunReport report;
+  std::filesystem::path report_file;
+};
+
+/// Runs a scenario from its file to its products and its report.
+/// @throws InputError for mistakes in the scenario or in a file that it names, before anything is
+///         rendered or written; std::runtime_error where a product cannot be written
+[[nodiscard]] RunOutcome run_scenario(const RunOptions& options);
+
+/// What a scenario's check found.
+struct Validation {
+  std::string name;
+  std::size_t objects = 0, materials = 0, arrays = 0, bands = 0;
+  std::uint64_t stored_primitives = 0, represented_primitives = 0;
+  std::vector<std::string> warnings;
+};
+
+/// Reads a scenario and everything that it names, as a run would, and renders nothing.
+/// @throws InputError with every mistake found
+[[nodiscard]] Validation validate_scenario(const std::filesystem::path& scenario);
+
+}  // namespace nadir::sim
