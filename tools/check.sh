@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change goes in; needs no other step on a fresh machine.
+#
+#   tools/check.sh [--fast] [--no-setup]
+#
+# Format, include directions, build with warnings as errors, all tests, the tests again under the
+# address and undefined-behaviour sanitizers, clang-tidy. --fast leaves the last two out.
+# Works in build-check/ and build-sanitize/, never in build/. Every step runs even where an earlier
+# one failed; the exit status is 0 only if all passed. Run again, it builds, tests and lints only
+# what changed, except that the tests of the release build always run.
+set -u
+# shellcheck source=tools/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+fast=no
+setup=yes
+for option in "$@"; do
+  case "$option" in
+    --fast) fast=yes ;;
+    --no-setup) setup=no ;;
+    *)
+      say "usage: tools/check.sh [--fast] [--no-setup]" >&2
+      exit 2
+      ;;
+  esac
+done
+
+cd "$root" || exit 1
+run_setup "$setup" --checks || exit
+logs="build-check/logs"
+mkdir -p "$logs"
+results=()
+failed=()
+
+# step NAME COMMAND...: runs the command, keeps its output, notes time and outcome.
+step() {
+  local name="$1" start=$SECONDS outcome=passed
+  shift
+  say
+  say "== $name"
+  set -o pipefail
+  if ! "$@" 2>&1 | tee "$logs/$name.log"; then
+    outcome=FAILED
+    failed+=("$name")
+  fi
+  results+=("$(printf '  %-10s %-7s %4d s' "$name" "$outcome" $((SECONDS - start)))")
+  [ "$outcome" = passed ]
+}
+
+sources() {
+  find . \( -path './build*' -o -path ./out -o -path ./.git \) -prune -o \
+    -type f \( "$@" \) -print0
+}
+
+check_format() {
+  sources -name '*.cpp' -o -name '*.hpp' |
+    xargs -0 -r clang-format-14 --dry-run --Werror && say "every file is formatted"
+}
+
+check_scripts() {
+  sources -name '*.sh' | xargs -0 -r -n 1 bash -n &&
+    bash -n .ci/run &&
+    sources -name '*.py' | xargs -0 -r python3 -c '
+import ast, sys
+for name in sys.argv[1:]:
+    with open(name, encoding="utf-8") as file:
+        ast.parse(file.read(), name)
+' && say "every script parses"
+}
+
+# build FOLDER OPTIONS...: configures on the first run; ninja notices later changes by itself.
+build() {
+  local folder="$1"
+  shift
+  if [ ! -f "$folder/build.ninja" ]; then
+    cmake -S . -B "$folder" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
+  fi
+  # -k 0: all errors at once, and as much of the rest as there is to test
+  cmake --build "$folder" -- -k 0
+}
+
+tests() { # tests FOLDER OPTIONS...
+  local folder="$1"
+  shift
+  ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error "$@" |
+    grep -v -E '^ *(Start|[0-9]+/[0-9]+ Test .* Passed) '
+}
+
+# The same tests under the sanitizers, but for those that take long there; not again while nothing
+# that they depend on has changed.
+sanitized_tests() {
+  local stamp="build-sanitize/.passed"
+  if [ -f "$stamp" ] && [ -z "$(newer_than "$stamp")" ]; then
+    say "nothing changed since these tests passed"
+    return
+  fi
+  rm -f "$stamp"
+  : >"build-sanitize/.started"
+  UBSAN_OPTIONS="print_stacktrace=1" tests build-sanitize -LE 'install|slow|end_to_end' &&
+    mv "build-sanitize/.started" "$stamp"
+}
+
+# A program, test or data file that is newer than the file $1.
+newer_than() {
+  find build-sanitize/nadir build-sanitize/*.so build-sanitize/tests scenes tests \
+    -type f ! -name '*.log' ! -path '*/Testing/*' -newer "$1" -print -quit 2>/dev/null
+}
+
+step format check_format
+step includes python3 tools/check_includes.py
+step scripts check_scripts
+step build build build-check -DCMAKE_BUILD_TYPE=Release -DNADIR_WERROR=ON
+step test tests build-check
+if [ "$fast" = no ]; then
+  step sanitize build build-sanitize \
+    -DNADIR_SANITIZE=ON -DNADIR_WERROR=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" # enough for lines in reports, quicker to compile
+  step santest sanitized_tests
+  step tidy python3 tools/tidy.py --build build-check --jobs "$jobs"
+fi
+
+say
+say "== summary ($SECONDS s; logs in $logs)"
+printf '%s\n' "${results[@]}"
+grep -h 'tests passed' "$logs/test.log" # of the release build
+if [ "${#failed[@]}" -gt 0 ]; then
+  say "check FAILED: ${failed[*]}"
+  exit 1
+fi
+say "check passed"
