@@ -1,0 +1,1 @@
+"""Parts of tools/make_jacksboro.py: the terrain, the village and the forest of a demo place."""
