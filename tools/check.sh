@@ -83,7 +83,7 @@ tests() { # tests FOLDER OPTIONS...
   local folder="$1"
   shift
   ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error "$@" |
-    grep -v -E '^ *(Start|[0-9]+/[0-9]+ Test .* Passed) '
+    grep -a -v -E '^ *(Start|[0-9]+/[0-9]+ Test .* Passed) '
 }
 
 # The same tests under the sanitizers, but for those that take long there; not again while nothing
@@ -122,7 +122,7 @@ fi
 say
 say "== summary ($SECONDS s; logs in $logs)"
 printf '%s\n' "${results[@]}"
-grep -h 'tests passed' "$logs/test.log" # of the release build
+grep -a -h 'tests passed' "$logs/test.log" # of the release build
 if [ "${#failed[@]}" -gt 0 ]; then
   say "check FAILED: ${failed[*]}"
   exit 1

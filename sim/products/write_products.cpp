@@ -58,18 +58,16 @@ void check_names(const std::vector<ArrayImage>& images) {
   }
 }
 
-void write_quick_look(const ArrayImage& image, const ProductContext& context,
+/// Whether the array has the bands that the scenario wants to see.
+bool write_quick_look(const ArrayImage& image, const ProductContext& context,
                       const std::filesystem::path& stem, std::vector<ProductFile>& written) {
   const std::string& title = context.title.empty() ? context.scenario_name : context.title;
   const QuickLook look = quick_look(
       image, {title, context.time_utc, "nadir " + context.version, context.quick_look_bands});
-  if (!look.bands_as_wanted && context.diagnostics != nullptr) {
-    context.diagnostics->warn(fmt::format(
-        "array {} lacks a band of the wanted quick look; its own were chosen", image.name));
-  }
   const auto file = with_ending(stem, ".png");
   write_png(file, look.picture);
   written.push_back({"quick look", image.name, file, std::filesystem::file_size(file)});
+  return look.bands_as_wanted;
 }
 
 void warn_of_invalid_pixels(const ArrayImage& image, Diagnostics* diagnostics) {
@@ -94,12 +92,20 @@ std::vector<ProductFile> write_products(const std::vector<ArrayImage>& images,
   std::filesystem::create_directories(output_dir);
 
   std::vector<ProductFile> written;
+  bool shown_as_wanted = !context.quick_look;
   for (const ArrayImage& image : images) {
     const auto stem = output_dir / file_name(image.name);
     if (context.envi) write_array_envi(image, context, stem, written);
     if (context.exr) write_array_exr(image, context, stem, written);
-    if (context.quick_look) write_quick_look(image, context, stem, written);
+    if (context.quick_look && write_quick_look(image, context, stem, written)) {
+      shown_as_wanted = true;
+    }
     warn_of_invalid_pixels(image, context.diagnostics);
+  }
+  // With several arrays it is enough that one has the bands: the others show their own.
+  if (!shown_as_wanted && context.diagnostics != nullptr) {
+    context.diagnostics->warn(
+        "no array has the bands wanted for the quick look; each shows bands of its own");
   }
   return written;
 }

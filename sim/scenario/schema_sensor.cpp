@@ -139,7 +139,8 @@ std::vector<ElementType> results() {
                                 "Independent repetitions that the standard error is made from."),
                       defaulted("samples_per_replicate", IntegerType{1, 1000000}, "", "2",
                                 "Rays from the pixel in each repetition."),
-                      defaulted("wavelengths_per_band", IntegerType{1, 128}, "", "4",
+                      // as many as spectral::gauss_quadrature can place
+                      defaulted("wavelengths_per_band", IntegerType{1, 32}, "", "4",
                                 "Wavelengths at which each band is computed.")}},
       {.id = "products",
        .name = "products",

@@ -74,6 +74,30 @@ TEST_CASE("bad input leaves nothing behind and ends with exit code 2", "[end_to_
   CHECK_FALSE(fs::exists(output));
 }
 
+TEST_CASE("ten mistakes are ten errors with line and column, and exit code 2", "[end_to_end]") {
+  const std::string file =
+      std::string{NADIR_SOURCE_DIR} + "/tests/sim/data/scenario/ten_mistakes.xml";
+  for (const char* command : {"validate ", "run --quiet "}) {
+    const auto result = run_nadir(command + file);
+    CHECK(result.exit_code == 2);
+    int errors = 0;
+    for (auto at = result.err.find(": error: "); at != std::string::npos;
+         at = result.err.find(": error: ", at + 1)) {
+      ++errors;
+    }
+    CHECK(errors == 10);
+  }
+}
+
+TEST_CASE("the shipped demo scenarios are whole", "[end_to_end]") {
+  const std::string scenes = std::string{NADIR_SOURCE_DIR} + "/scenes/jacksboro/";
+  const auto result = run_nadir("validate " + scenes + "day.xml " + scenes + "night.xml");
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("day.xml: ok (") != std::string::npos);
+  CHECK(result.out.find("night.xml: ok (") != std::string::npos);
+}
+
 TEST_CASE("options that do not exist end with exit code 2, help with 0", "[end_to_end]") {
   CHECK(run_nadir("run --no-such-option").exit_code == 2);
   CHECK(run_nadir("no-such-command").exit_code == 2);

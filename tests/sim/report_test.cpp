@@ -202,8 +202,8 @@ TEST_CASE("the user is told of invalid pixels and of bands that are not there", 
   static_cast<void>(write_products({image}, context, folder.path()));
   CHECK(diagnostics.messages() ==
         std::vector<std::string>{
-            "array cam lacks a band of the wanted quick look; its own were chosen",
-            "array cam: 1 of 2 bands hold pixels whose radiance is no finite number"});
+            "array cam: 1 of 2 bands hold pixels whose radiance is no finite number",
+            "no array has the bands wanted for the quick look; each shows bands of its own"});
 }
 
 TEST_CASE("images that cannot become products are refused before anything is written",
