@@ -13,4 +13,14 @@ geometry::Ray view_ray(const DetectorArray& array, const Pose& pose, double samp
   return {pose.position + pose.axes * Vec3{x, y, 0.0}, pose.axes.z};
 }
 
+bool in_view(const DetectorArray& array, const Pose& pose, Vec3 place) noexcept {
+  const Vec3 seen = pose.axes.transposed() * (place - pose.position);  // camera axes
+  if (seen.z <= 0.0) return false;
+  const auto* lens = std::get_if<Perspective>(&array.projection);
+  const double scale = lens != nullptr ? lens->focal_length_m / seen.z : 1.0;
+  const double sample = (seen.x * scale - array.offset_x_m) / array.pitch_m + 0.5 * array.samples;
+  const double line = (seen.y * scale - array.offset_y_m) / array.pitch_m + 0.5 * array.lines;
+  return sample >= 0.0 && sample <= array.samples && line >= 0.0 && line <= array.lines;
+}
+
 }  // namespace nadir::sensor

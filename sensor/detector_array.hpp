@@ -42,4 +42,7 @@ struct DetectorArray {
 [[nodiscard]] geometry::Ray view_ray(const DetectorArray& array, const Pose& pose, double sample,
                                      double line) noexcept;
 
+/// Whether a place in scene axes lies in the array's field of view (nothing in between considered).
+[[nodiscard]] bool in_view(const DetectorArray& array, const Pose& pose, Vec3 place) noexcept;
+
 }  // namespace nadir::sensor

@@ -1,5 +1,6 @@
 #include "sim/run/run.hpp"
 
+#include "sim/run/check_view.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/stage_clock.hpp"
 #include "sim/run/tiles.hpp"
@@ -89,6 +90,7 @@ RunOutcome run_scenario(const RunOptions& options) {
   describe(scenario, options, report);
   const World world =
       clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
+  check_view(world, diagnostics);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs); });
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
@@ -119,6 +121,7 @@ Validation validate_scenario(const std::filesystem::path& file) {
   const Scenario scenario = read_scenario(file, diagnostics);
   const World world = load_world(scenario, inputs, diagnostics);
   check_spectra(world, scenario.sampling, diagnostics);
+  check_view(world, diagnostics);
   Validation found;
   found.name = scenario.name;
   found.objects = scenario.geometry.size();

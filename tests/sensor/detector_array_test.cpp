@@ -111,6 +111,25 @@ TEST_CASE("orthographic lines of sight are parallel and spaced by the pitch", "[
   check_same(b.origin - a.origin, {2.5, -5.0, 0.0}, 1e-12);
 }
 
+TEST_CASE("a place on the line of sight of a pixel is in view, one beside or behind is not",
+          "[sensor]") {
+  const Pose pose = from_euler({4.0, 5.0, 6.0}, Mat3{}, 70.0_deg, degrees(-40.0), 10.0_deg);
+  DetectorArray shifted = perspective(100, 60, 1e-5, 0.01);
+  shifted.offset_x_m = 2e-4;
+  const DetectorArray parallel{"o", 100, 60, Orthographic{}, 0.5, 3.0, -1.0, {}};
+  for (const DetectorArray& array : {shifted, parallel}) {
+    const auto place = [&](double sample, double line, double distance) {
+      const geometry::Ray ray = view_ray(array, pose, sample, line);
+      return ray.origin + distance * ray.direction;
+    };
+    CHECK(in_view(array, pose, place(0.1, 0.1, 50.0)));
+    CHECK(in_view(array, pose, place(99.9, 59.9, 3.0)));
+    CHECK_FALSE(in_view(array, pose, place(-0.1, 30.0, 50.0)));
+    CHECK_FALSE(in_view(array, pose, place(50.0, 60.1, 50.0)));
+    CHECK_FALSE(in_view(array, pose, place(50.0, 30.0, -50.0)));
+  }
+}
+
 TEST_CASE("an array's offset moves its view on the focal plane", "[sensor]") {
   DetectorArray array = perspective(2, 2, 1e-5, 0.1);
   array.offset_x_m = 3e-5;

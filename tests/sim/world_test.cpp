@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "sim/message_of.hpp"
+#include "sim/run/check_view.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scenario/read_scenario.hpp"
@@ -168,6 +169,27 @@ TEST_CASE("a spectrum that does not reach a band is an error or a warning, never
       load(folder, scenario_text(no_light, R"(<material name="m" reflectance="rho.csv"/>)", ground,
                                  thermal_band));
   CHECK(held.warnings.size() == 1);
+}
+
+TEST_CASE("a camera that sees nothing is told before anything is rendered", "[sim][world]") {
+  const std::string sky =
+      R"(<illumination><fixed/></illumination><atmosphere><uniform sky_radiance="5"/></atmosphere>)";
+  const auto text = [&](const std::string& light) {
+    return scenario_text(light, R"(<material name="m" reflectance="0.4"/>)",
+                         R"(<plane material="m" size_x_m="10" size_y_m="10" up_m="900"/>)",
+                         thermal_band);
+  };
+  const support::ScratchFolder folder;
+  const auto dark = support::message_of([&] {
+    Diagnostics diagnostics;
+    check_view(load(folder, text(no_light)).world, diagnostics);
+  });
+  CHECK(dark ==
+        "error: array a meets no surface along any line of sight that was tried; does the camera "
+        "look the right way?\n");
+  Diagnostics diagnostics;
+  check_view(load(folder, text(sky)).world, diagnostics);
+  CHECK(diagnostics.messages().size() == 1);
 }
 
 TEST_CASE("heights that count from the terrain need terrain below", "[sim][world]") {

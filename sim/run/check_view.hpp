@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "sim/run/world.hpp"
+
+namespace nadir::sim {
+
+/// Tells of detector arrays that see no surface before time is spent on them: a warning where there
+/// is a sky to see or where a small object may lie between the lines of sight that were tried.
+/// @throws InputError for an array that would deliver nothing but darkness
+void check_view(const World& world, Diagnostics& diagnostics);
+
+}  // namespace nadir::sim
