@@ -45,11 +45,16 @@ struct GenericSolver::Visit {
         generation{g},
         sampler{numbers} {}
 
-  /// Bidirectional reflectance for unit reflectance, sr^-1.
-  [[nodiscard]] double shape(Vec3 wi) const { return materials::eval(material.scattering, wi, wo); }
-  /// The largest reflectance factor pi f over the wavelengths.
-  [[nodiscard]] double max_reflectance(double shape_value) const {
-    return std::numbers::pi * shape_value * static_cast<double>(material.max_reflectance);
+  /// What the surface does with light from a direction (local), for unit reflectance: f cos.
+  [[nodiscard]] double reflected(Vec3 wi) const {
+    return materials::eval(material.scattering, wi, wo) * wi.z;
+  }
+  /// The same with the weights that the thresholds look at.
+  [[nodiscard]] Sample sample(Vec3 wi) const {
+    const double shape = materials::eval(material.scattering, wi, wo);
+    const double reflectance =
+        std::numbers::pi * shape * static_cast<double>(material.max_reflectance);
+    return {shape * wi.z, reflectance, weight * reflectance * wi.z};
   }
   [[nodiscard]] Ray leaving(Vec3 direction) const {
     return {geometry::leaving_origin(hit, direction), direction};
@@ -90,15 +95,15 @@ int GenericSolver::add_targets(const Visit& visit, SpectrumSum& sum) {
     const Vec3 direction = direction_in_disc(target, visit.sampler.point(number++));
     const Vec3 wi = visit.frame.to_local(direction);
     if (direction.z <= 0.0 || wi.z <= 0.0) continue;  // set behind the horizon or the surface
-    const double shape = visit.shape(wi);
-    if (visit.weight * visit.max_reflectance(shape) * wi.z < thresholds::target_weight) {
+    const Sample sample = visit.sample(wi);
+    if (sample.weight < thresholds::target_weight) {
       ++counters_.target_weight_skips;
       continue;
     }
     ++sampled;
     ++counters_.target_rays;
     if (scene_->geometry().occluded(visit.leaving(direction))) continue;
-    sum.add(target.irradiance, shape * wi.z);
+    sum.add(target.irradiance, sample.reflected);
   }
   return sampled;
 }
@@ -115,57 +120,57 @@ void GenericSolver::add_background(const Visit& visit, int targets_sampled, Spec
     ++counters_.bounce_limit_stops;
   }
   // Importance of a quad: what it would reflect of a uniform sky, from its centre.
-  const auto importance = [&](int quad) {
-    const Vec3 centre = quads.centre(quad);
-    return visit.shape(centre) * centre.z;
-  };
+  const auto importance = [&](int quad) { return visit.reflected(quads.centre(quad)); };
   double total = 0.0;
   for (int quad = 0; quad < quads.count(); ++quad) total += importance(quad);
   SystematicAllocation allocation{budget, total, visit.sampler.number(Dimension::allocation)};
   for (int quad = 0; quad < quads.count(); ++quad) {
-    const auto share = allocation.next(importance(quad));
-    add_quad(visit, quad, share.count, share.expected, sum);
+    add_quad(visit, quad, allocation.next(importance(quad)), sum);
   }
 }
 
-void GenericSolver::add_quad(const Visit& visit, int quad, int full_count, double expected_full,
+// What the thresholds leave of a sample.
+GenericSolver::Kind GenericSolver::admitted(const Sample& sample, bool full) {
+  if (sample.reflectance < thresholds::raw_weight) {
+    ++counters_.raw_weight_skips;
+    return Kind::none;
+  }
+  if (sample.weight < thresholds::quick_weight) {
+    ++counters_.quick_weight_skips;
+    return Kind::none;
+  }
+  if (full && sample.weight < thresholds::full_background_weight) {
+    ++counters_.full_weight_downgrades;
+    full = false;
+  }
+  ++(full ? counters_.full_samples : counters_.direct_only_samples);
+  return full ? Kind::full : Kind::direct_only;
+}
+
+void GenericSolver::add_quad(const Visit& visit, int quad, const SystematicAllocation::Share& share,
                              SpectrumSum& sum) {
   const QuadHemisphere quads{visit.settings.mu_samples, visit.settings.phi_samples};
-  const int count = std::max(full_count, visit.settings.min_quad_samples);
+  const int count = std::max(share.count, visit.settings.min_quad_samples);
   if (count == 0) return;
+  const double scattered_share = quads.solid_angle() / share.expected;
   // Without a guaranteed minimum the direct part, too, must be weighed by the expected number.
   const double direct_share =
-      quads.solid_angle() / (visit.settings.min_quad_samples > 0 ? count : expected_full);
+      visit.settings.min_quad_samples > 0 ? quads.solid_angle() / count : scattered_share;
   const Sampler numbers = visit.sampler.child(first_quad + static_cast<std::uint32_t>(quad));
   for (int n = 0; n < count; ++n) {
     const auto branch = static_cast<std::uint32_t>(n);
     const Vec3 wi = quads.direction(quad, numbers.point(branch));
-    const double shape = visit.shape(wi);
-    const double reflectance = visit.max_reflectance(shape);
-    const double weight = visit.weight * reflectance * wi.z;
-    if (reflectance < thresholds::raw_weight) {
-      ++counters_.raw_weight_skips;
-      continue;
-    }
-    if (weight < thresholds::quick_weight) {
-      ++counters_.quick_weight_skips;
-      continue;
-    }
-    bool full = n < full_count;
-    if (full && weight < thresholds::full_background_weight) {
-      ++counters_.full_weight_downgrades;
-      full = false;
-    }
-    ++(full ? counters_.full_samples : counters_.direct_only_samples);
-
+    const Sample sample = visit.sample(wi);
+    const Kind kind = admitted(sample, n < share.count);
+    if (kind == Kind::none) continue;
     const Ray ray = visit.leaving(visit.frame.to_world(wi));
     const auto hit = scene_->geometry().intersect(ray);
-    const double reflected = shape * wi.z;
     sum.add(hit ? scene_->self_emission(*hit) : scene_->air().sky(ray.direction),
-            direct_share * reflected);
-    if (full && hit) {
-      const Visit next{*scene_, ray, *hit, weight, visit.generation + 1, numbers.child(branch)};
-      sum.add(scattered_radiance(next), quads.solid_angle() / expected_full * reflected);
+            direct_share * sample.reflected);
+    if (kind == Kind::full && hit) {
+      const Visit next{
+          *scene_, ray, *hit, sample.weight, visit.generation + 1, numbers.child(branch)};
+      sum.add(scattered_radiance(next), scattered_share * sample.reflected);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "geometry/scene.hpp"
 #include "radiometry/counters.hpp"
 #include "radiometry/lit_scene.hpp"
+#include "radiometry/sample_allocation.hpp"
 #include "spectral/lanes.hpp"
 
 namespace nadir::radiometry {
@@ -44,10 +45,18 @@ class GenericSolver {
 
  private:
   struct Visit;
+  enum class Kind { full, direct_only, none };
+  /// A direction that light may come from.
+  struct Sample {
+    double reflected;    ///< f cos for unit reflectance, sr^-1
+    double reflectance;  ///< largest reflectance factor pi f over the wavelengths
+    double weight;       ///< of the ray that asked, times the former, times the cosine
+  };
   /// Returns how many targets were sampled: they are taken from the budget of full samples.
   int add_targets(const Visit& visit, spectral::SpectrumSum& sum);
   void add_background(const Visit& visit, int targets_sampled, spectral::SpectrumSum& sum);
-  void add_quad(const Visit& visit, int quad, int full_count, double expected_full,
+  [[nodiscard]] Kind admitted(const Sample& sample, bool full);
+  void add_quad(const Visit& visit, int quad, const SystematicAllocation::Share& share,
                 spectral::SpectrumSum& sum);
   [[nodiscard]] spectral::Spectrum scattered_radiance(const Visit& visit);
 

@@ -18,10 +18,10 @@ fs::path data_directory() {
   }
   // /proc/self/exe rather than argv[0]: the latter may be a bare name found on the search path.
   const fs::path command = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed =
+  fs::path installed =
       (command.parent_path() / ".." / NADIR_INSTALL_DATADIR / "nadir").lexically_normal();
   if (!command.empty() && fs::is_directory(installed / "library", error)) return installed;
-  const fs::path source = NADIR_SOURCE_DATA_DIR;
+  fs::path source = NADIR_SOURCE_DATA_DIR;
   if (fs::is_directory(source, error)) return source;
   throw InputError{"Nadir's data is neither in " + installed.string() + " nor in " +
                    source.string() + "; name its folder in the environment's NADIR_DATA"};

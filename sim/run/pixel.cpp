@@ -28,7 +28,6 @@ PixelRenderer::PixelRenderer(const ArrayJob& job, const RenderOptions& options,
       options_{&options},
       array_key_{array_key},
       spread_(job.array->bands.size()),
-      band_sums_(job.array->bands.size()),
       material_votes_(job.scene->materials.size() + 1) {
   for (const radiometry::LitScene& block : job.blocks) {
     solvers_.emplace_back(block);
@@ -52,34 +51,39 @@ void PixelRenderer::render(int sample, int line, ArrayImage& image) {
   const auto pixel = static_cast<std::size_t>(line) * static_cast<std::size_t>(image.samples) +
                      static_cast<std::size_t>(sample);
   const std::uint64_t key = mix(array_key_, pixel);
-  const int paths = options_->sampling.samples_per_replicate;
   TruthSums truth;
   std::fill(material_votes_.begin(), material_votes_.end(), 0U);
   std::fill(spread_.begin(), spread_.end(), Welford{});
-
   for (int replicate = 0; replicate < options_->sampling.replicates; ++replicate) {
     for (auto& sum : lane_sums_) sum = spectral::SpectrumSum{sum.count()};
     const std::uint64_t replicate_key = mix(key, static_cast<std::uint64_t>(replicate));
-    for (int path = 0; path < paths; ++path) {
+    for (int path = 0; path < options_->sampling.samples_per_replicate; ++path) {
       const Sampler numbers{replicate_key, static_cast<std::uint32_t>(path)};
-      const geometry::Ray ray = draw_ray(numbers, sample, line);
-      const auto hit = job_->scene->geometry.intersect(ray);
-      for (std::size_t block = 0; block < solvers_.size(); ++block) {
-        // Every block walks the same rays: its random numbers are the same.
-        lane_sums_[block].add(solvers_[block].aperture_radiance(ray, hit, numbers.child(0)));
-      }
-      ++material_votes_[hit ? hit->material + 1 : 0];
-      if (hit && options_->truth) add_truth(*hit, truth);
+      trace(draw_ray(numbers, sample, line), numbers, truth);
     }
-    for (std::size_t band = 0; band < spread_.size(); ++band) {
-      double radiance = 0.0;
-      for (const auto& term : job_->plan.lanes.bands[band]) {
-        radiance += term.weight * lane_sums_[static_cast<std::size_t>(term.block)][term.lane];
-      }
-      spread_[band].add(radiance / paths);
-    }
+    close_replicate();
   }
   store(pixel, truth, image);
+}
+
+void PixelRenderer::trace(const geometry::Ray& ray, const Sampler& numbers, TruthSums& truth) {
+  const auto hit = job_->scene->geometry.intersect(ray);
+  for (std::size_t block = 0; block < solvers_.size(); ++block) {
+    // Every block walks the same rays: its random numbers are the same.
+    lane_sums_[block].add(solvers_[block].aperture_radiance(ray, hit, numbers.child(0)));
+  }
+  ++material_votes_[hit ? hit->material + 1 : 0];
+  if (hit && options_->truth) add_truth(*hit, truth);
+}
+
+void PixelRenderer::close_replicate() {
+  for (std::size_t band = 0; band < spread_.size(); ++band) {
+    double radiance = 0.0;
+    for (const auto& term : job_->plan.lanes.bands[band]) {
+      radiance += term.weight * lane_sums_[static_cast<std::size_t>(term.block)][term.lane];
+    }
+    spread_[band].add(radiance / options_->sampling.samples_per_replicate);
+  }
 }
 
 const ephemeris::LightSource* PixelRenderer::sun() const {

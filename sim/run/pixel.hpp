@@ -34,6 +34,10 @@ class PixelRenderer {
   struct TruthSums;
   [[nodiscard]] geometry::Ray draw_ray(const Sampler& numbers, int sample, int line) const;
   [[nodiscard]] const ephemeris::LightSource* sun() const;  // or null
+  /// One path: adds what it saw to the sums of all blocks.
+  void trace(const geometry::Ray& ray, const Sampler& numbers, TruthSums& truth);
+  /// Turns the sums of a replicate into one draw of each band's radiance.
+  void close_replicate();
   void add_truth(const geometry::Hit& hit, TruthSums& truth);
   void store(std::size_t pixel, const TruthSums& truth, ArrayImage& image) const;
 
@@ -42,7 +46,6 @@ class PixelRenderer {
   std::uint64_t array_key_;
   std::vector<radiometry::GenericSolver> solvers_;  // one a block
   std::vector<Welford> spread_;                     // one a band
-  std::vector<double> band_sums_;                   // one a band
   std::vector<spectral::SpectrumSum> lane_sums_;    // one a block
   std::vector<std::uint32_t> material_votes_;       // one a material, and the sky first
   std::uint64_t truth_rays_ = 0;

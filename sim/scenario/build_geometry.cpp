@@ -42,7 +42,7 @@ class GeometryBuilder {
     return element.find<std::string>("name").value_or(element.type->name);
   }
 
-  bool on_terrain(const CheckedElement& element) const {
+  [[nodiscard]] bool on_terrain(const CheckedElement& element) const {
     const bool on = element.flag("on_terrain");
     if (on && !has_terrain_) {
       context_.mistake(element.where("on_terrain"),
@@ -52,7 +52,7 @@ class GeometryBuilder {
     return on;
   }
 
-  PlacementInput placement(const CheckedElement& element) const {
+  [[nodiscard]] PlacementInput placement(const CheckedElement& element) const {
     return {{element.number("east_m"), element.number("north_m"), element.number("up_m")},
             element.number("yaw_deg"),
             element.number("pitch_deg"),
@@ -84,7 +84,7 @@ class GeometryBuilder {
     return mesh;
   }
 
-  geo::Shape shape(const CheckedElement& element) const {
+  [[nodiscard]] geo::Shape shape(const CheckedElement& element) const {
     const std::string& kind = element.type->name;
     if (kind == "sphere") return geo::Sphere{{}, element.number("radius_m")};
     if (kind == "disc") return disc(element);
@@ -93,7 +93,7 @@ class GeometryBuilder {
     return geo::Plane{{}, element.number("size_x_m"), element.number("size_y_m")};
   }
 
-  geo::Disc disc(const CheckedElement& element) const {
+  [[nodiscard]] geo::Disc disc(const CheckedElement& element) const {
     const auto normal = element.find<Vec3>("normal");
     if (normal && length(*normal) == 0.0) {
       context_.mistake(element.where("normal"), "the normal of <disc> has no length");
@@ -103,7 +103,7 @@ class GeometryBuilder {
             element.number("radius_m")};
   }
 
-  geo::Box box(const CheckedElement& element) const {
+  [[nodiscard]] geo::Box box(const CheckedElement& element) const {
     const auto lo = element.find<Vec3>("lo_m"), hi = element.find<Vec3>("hi_m");
     if (lo && hi && !(lo->x < hi->x && lo->y < hi->y && lo->z < hi->z)) {
       context_.mistake(element.where("hi_m"),
@@ -112,7 +112,7 @@ class GeometryBuilder {
     return {lo.value_or(Vec3{}), hi.value_or(Vec3{})};
   }
 
-  geo::Cylinder cylinder(const CheckedElement& element) const {
+  [[nodiscard]] geo::Cylinder cylinder(const CheckedElement& element) const {
     const auto base = element.find<Vec3>("base_m"), top = element.find<Vec3>("top_m");
     if (base && top && *base == *top) {
       context_.mistake(element.where("top_m"), "base_m and top_m of <cylinder> are the same place");
