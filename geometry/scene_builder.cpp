@@ -15,6 +15,9 @@ namespace {
 /// Beyond this the squares of Embree's float arithmetic come near to overflow.
 constexpr double farthest_m = 1e15;
 
+/// Beyond this Embree's float transforms overflow when they are inverted.
+constexpr double smallest_scale = 1e-6;
+
 void check_placement(const Affine& placement) {
   const Mat3& m = placement.linear;
   const double size = length(m.x) * length(m.y) * length(m.z);
@@ -22,6 +25,11 @@ void check_placement(const Affine& placement) {
   const bool regular = std::isfinite(size) && std::abs(m.determinant()) > 1e-12 * size;
   if (!regular || !is_finite(placement.origin)) {
     throw InputError{"the placement is singular or not finite: every scale must differ from zero"};
+  }
+  for (const Vec3& column : {m.x, m.y, m.z}) {
+    if (length(column) >= smallest_scale && length(column) <= 1.0 / smallest_scale) continue;
+    throw InputError{"the placement scales by " + std::to_string(length(column)) +
+                     ", allowed are factors from 1e-6 to 1e6"};
   }
 }
 

@@ -6,7 +6,7 @@ namespace nadir::materials {
 /// may have its own. docs/radiometry.md explains each.
 struct SolverSettings {
   int initial_sample_count = 8;    ///< full samples at the first hit, >= 0
-  double sample_decay_rate = 4.0;  ///< full samples at generation g: ceil(initial / decay^g), >= 1
+  double sample_decay_rate = 2.0;  ///< full samples at generation g: ceil(initial / decay^g), >= 1
   int max_bounces = 3;             ///< generations that full samples may start, >= 0
   int mu_samples = 2;              ///< quads over the cosine of the zenith angle, >= 1
   int phi_samples = 6;             ///< quads over azimuth, >= 1

@@ -16,6 +16,7 @@ struct Counters {
   std::uint64_t full_weight_downgrades = 0;
   std::uint64_t quick_weight_skips = 0;
   std::uint64_t raw_weight_skips = 0;
+  std::uint64_t budget_stops = 0;        ///< hits whose sample budget the targets used up
   std::uint64_t bounce_limit_stops = 0;  ///< hits whose full samples the bounce limit forbade
 
   Counters& operator+=(const Counters& b) noexcept {
@@ -29,6 +30,7 @@ struct Counters {
     full_weight_downgrades += b.full_weight_downgrades;
     quick_weight_skips += b.quick_weight_skips;
     raw_weight_skips += b.raw_weight_skips;
+    budget_stops += b.budget_stops;
     bounce_limit_stops += b.bounce_limit_stops;
     return *this;
   }

@@ -116,8 +116,13 @@ void GenericSolver::add_background(const Visit& visit, int targets_sampled, Spec
     const int all = full_sample_count(settings.initial_sample_count, settings.sample_decay_rate,
                                       visit.generation);
     budget = std::max(0, all - targets_sampled);
+    if (budget == 0 && all > 0) ++counters_.budget_stops;
   } else {
     ++counters_.bounce_limit_stops;
+  }
+  if (budget == 0) {  // the top-up alone: nothing to deal out
+    for (int quad = 0; quad < quads.count(); ++quad) add_quad(visit, quad, {0, 0.0}, sum);
+    return;
   }
   // Importance of a quad: what it would reflect of a uniform sky, from its centre.
   const auto importance = [&](int quad) { return visit.reflected(quads.centre(quad)); };
@@ -152,7 +157,7 @@ void GenericSolver::add_quad(const Visit& visit, int quad, const SystematicAlloc
   const QuadHemisphere quads{visit.settings.mu_samples, visit.settings.phi_samples};
   const int count = std::max(share.count, visit.settings.min_quad_samples);
   if (count == 0) return;
-  const double scattered_share = quads.solid_angle() / share.expected;
+  const double scattered_share = share.expected > 0.0 ? quads.solid_angle() / share.expected : 0.0;
   // Without a guaranteed minimum the direct part, too, must be weighed by the expected number.
   const double direct_share =
       visit.settings.min_quad_samples > 0 ? quads.solid_angle() / count : scattered_share;

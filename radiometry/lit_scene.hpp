@@ -27,7 +27,7 @@ struct Target {
   Vec3 direction;           ///< unit, towards the disc's centre, scene axes
   double sin_radius = 0.0;  ///< of the angular radius
   double cos_radius = 1.0;
-  spectral::Spectrum irradiance;  ///< at the surface on a plane normal to it, W m^-2 um^-1
+  spectral::Spectrum irradiance;  ///< at the surface: disc radiance times solid angle, W m^-2 um^-1
 };
 
 /// A scene at the wavelengths of one block of lanes: what the solvers look up, immutable.

@@ -22,8 +22,9 @@ Pose look_at(Vec3 position, Vec3 target, const Mat3& local, Angle roll) {
   const Vec3 offset = target - position;
   if (!(length(offset) > 0.0)) throw InputError{"the camera looks at its own position"};
   const Vec3 sight = normalised(offset);
-  // Within 1e-9 rad of the vertical "up" no longer defines an image top; north does.
-  const bool vertical = length(cross(sight, local.z)) < 1e-9;
+  // Within 1e-6 rad of the vertical (1 m off in 1000 km) "up" no longer defines an image top that
+  // anyone meant; north does.
+  const bool vertical = length(cross(sight, local.z)) < 1e-6;
   return {position, camera_axes(sight, vertical ? local.y : local.z, roll)};
 }
 

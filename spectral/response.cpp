@@ -101,10 +101,17 @@ void check_one(const TabulatedResponse& table) {
     throw InputError{"expected a response above 0 somewhere, found 0 at every wavelength"};
   }
 }
+/// Narrower bands than this have no wavelengths of their own left in double precision.
+void check_width(Micrometres width, Micrometres at) {
+  if (width.value > 1e-9 * at.value) return;
+  throw InputError{"expected a response wider than 1e-9 of its wavelength, found a width of " +
+                   um(width) + " at " + um(at)};
+}
 void check_one(const GaussianResponse& g) {
   if (!is_positive(g.fwhm)) {
     throw InputError{"expected a positive full width at half maximum, found " + um(g.fwhm)};
   }
+  check_width(g.fwhm, g.centre);
   const Support s = support_of(g);
   if (!is_positive(s.lo) || !std::isfinite(s.hi.value)) {
     throw InputError{"expected a Gaussian response at positive wavelengths, found one from " +
@@ -113,7 +120,10 @@ void check_one(const GaussianResponse& g) {
   }
 }
 void check_one(const BoxResponse& box) {
-  if (is_positive(box.lo) && std::isfinite(box.hi.value) && box.lo < box.hi) return;
+  if (is_positive(box.lo) && std::isfinite(box.hi.value) && box.lo < box.hi) {
+    check_width(box.hi - box.lo, box.hi);
+    return;
+  }
   throw InputError{"expected positive, ascending limits of a box response, found " + um(box.lo) +
                    " and " + um(box.hi)};
 }

@@ -54,10 +54,11 @@ LIBRARIES = {
 # cmake/NadirInstall.cmake does not install it.
 PRIVATE = re.compile(r"^// Private to this folder\b")
 # Where a file may name a header beside it, or below tests/, without its folder: the tests, which
-# share the folders' names, and the modules, which see nothing of the program but their own folder.
-SIBLINGS = ("tests/", "sim/modules/")
-# Test code is never installed, so its headers may wrap a library too.
-LIBRARIES_IN_HEADERS = ("tests", "bench")
+# share the folders' names, the benchmarks, and the modules, which see nothing of the program but
+# their own folder.
+SIBLINGS = ("tests/", "bench/", "sim/modules/")
+# Never installed, so that their headers may wrap a library, or look into a folder's private ones.
+NEVER_INSTALLED = ("tests", "bench")
 
 STANDARD = set("""
 algorithm any array atomic barrier bit bitset cassert cctype cerrno cfenv cfloat charconv chrono
@@ -116,7 +117,7 @@ def library_allowed(tree: pathlib.Path, name: str, header: str) -> bool:
     for folder in map(str, pathlib.PurePosixPath(name).parents):
         if folder in LIBRARIES:
             in_place = (name.endswith(".cpp") or is_private(tree / name)
-                        or folder.split("/")[0] in LIBRARIES_IN_HEADERS)
+                        or folder.split("/")[0] in NEVER_INSTALLED)
             return in_place and re.match(LIBRARIES[folder], header) is not None
     return False
 
@@ -131,6 +132,8 @@ def is_private(path: pathlib.Path) -> bool:
 
 def may_use_private(tree: pathlib.Path, name: str, header: str) -> bool:
     """Whether the file may include a private header; a public one would pass it on."""
+    if name.split("/")[0] in NEVER_INSTALLED:
+        return True
     beside = pathlib.PurePosixPath(name).parent == pathlib.PurePosixPath(header).parent
     return beside and (name.endswith(".cpp") or is_private(tree / name))
 

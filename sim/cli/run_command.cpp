@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "sim/run/progress.hpp"
 #include "sim/run/run.hpp"
@@ -49,6 +51,11 @@ void run(Options options) {
     fmt::print(stderr, "warning: {}\n", warning);
   }
   if (!options.quiet) print_outcome(outcome);
+  for (const ArraySummary& array : outcome.report.arrays) {
+    if (array.invalid_pixels == 0) continue;
+    throw std::runtime_error{fmt::format("{} pixels of array {} have no finite radiance",
+                                         array.invalid_pixels, array.name)};
+  }
 }
 
 }  // namespace
@@ -59,7 +66,9 @@ void add_run_command(CLI::App& app) {
   command->add_option("scenario", options->run.scenario, "Scenario file (XML)")->required();
   command->add_option("-o,--output", options->run.output,
                       "Folder for the products [out/<scenario's file name>]");
-  command->add_option("--seed", options->run.seed, "Seed of all random numbers [1]");
+  // Up to 2^63 - 1, the largest that every reader of the report's JSON can hold; refuses negatives.
+  command->add_option("--seed", options->run.seed, "Seed of all random numbers [1]")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0x7FFFFFFFFFFFFFFF}));
   command->add_option("--threads", options->run.threads, "Threads; 0: one per processor [0]")
       ->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");

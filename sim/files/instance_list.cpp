@@ -11,10 +11,10 @@
 namespace nadir::sim {
 namespace {
 
-enum Column { east, north, up, yaw, pitch, roll, scale, scale_x, scale_y, scale_z, prototype };
-constexpr std::array<std::string_view, 11> column_names{
-    "east_m", "north_m", "up_m",    "yaw_deg", "pitch_deg", "roll_deg",
-    "scale",  "scale_x", "scale_y", "scale_z", "prototype"};
+enum Column { east, north, up, yaw, pitch, roll, scale, scale_x, scale_y, scale_z };
+constexpr std::array<std::string_view, 11> column_names{"east_m",    "north_m",  "up_m",  "yaw_deg",
+                                                        "pitch_deg", "roll_deg", "scale", "scale_x",
+                                                        "scale_y",   "scale_z"};
 
 bool is_scale(std::size_t column) { return column >= scale && column <= scale_z; }
 
@@ -29,6 +29,8 @@ class ListParser {
     read_header();
     issues_.throw_if_any();  // without sound columns every row would be a mistake
     while (next_row()) row();
+    issues_.throw_if_any();
+    if (placements_.empty()) issues_.add("the list has no rows: it would place nothing");
     issues_.throw_if_any();
     return std::move(placements_);
   }
@@ -94,21 +96,18 @@ class ListParser {
                                       std::to_string(cells_.size()));
       return;
     }
-    std::array<double, column_names.size()> values{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0};
+    std::array<double, column_names.size()> values{0, 0, 0, 0, 0, 0, 1, 1, 1, 1};
     Placement placement;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (columns_[i] == prototype) {
-        placement.prototype = cells_[i].text;
-      } else {
-        values[columns_[i]] = number(cells_[i], columns_[i]);
-      }
+      values[columns_[i]] = number(cells_[i], columns_[i]);
     }
     placement.position = {values[east], values[north], values[up]};
     placement.yaw_deg = values[yaw];
     placement.pitch_deg = values[pitch];
     placement.roll_deg = values[roll];
     placement.scale = values[scale] * Vec3{values[scale_x], values[scale_y], values[scale_z]};
-    placements_.push_back(std::move(placement));
+    placement.line = line_;
+    placements_.push_back(placement);
   }
 
   double number(const Token& cell, std::size_t column) {
@@ -117,8 +116,8 @@ class ListParser {
     if (!value) {
       issues_.add(cell, "expected a finite number for " + name + ", found \"" +
                             std::string{cell.text} + "\"");
-    } else if (is_scale(column) && *value == 0.0) {
-      issues_.add(cell, name + " must differ from 0");
+    } else if (is_scale(column) && !(std::abs(*value) >= 1e-6 && std::abs(*value) <= 1e6)) {
+      issues_.add(cell, name + " must lie between 1e-6 and 1e6, or their negatives");
     }
     return value.value_or(1.0);
   }

@@ -17,7 +17,7 @@ struct Placement {
   double pitch_deg = 0.0;  ///< nose up, about the object's x axis
   double roll_deg = 0.0;   ///< right side (x) down, about the object's y axis
   Vec3 scale{1.0, 1.0, 1.0};
-  std::string prototype;  ///< name or number, or empty
+  int line = 0;  ///< of the list, for messages; 0 where there is none
 };
 
 /// Object axes to the holder's axes: scale first, then roll, pitch and yaw, then the position;
@@ -31,8 +31,9 @@ struct Placement {
 /// A table of placements: CSV, first row the names of the columns, in any order.
 ///
 /// `east_m` and `north_m` are required; `up_m`, `yaw_deg`, `pitch_deg`, `roll_deg` are 0 where they
-/// are missing, `scale` (or `scale_x`, `scale_y`, `scale_z`) 1; `prototype` is text. Blank lines
+/// are missing, `scale` (or `scale_x`, `scale_y`, `scale_z`) 1. Blank lines
 /// and lines that start with # are passed over.
+/// A list without a row places nothing and is a mistake as well.
 /// @throws InputError with every mistake of the file (20 in full), each with line and column
 [[nodiscard]] std::vector<Placement> read_instance_list(const std::filesystem::path& file);
 

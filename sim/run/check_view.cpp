@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "sim/run/error_list.hpp"
 
@@ -12,7 +14,30 @@ namespace {
 // Lines of sight tried along each side of an array: some 10 ms of rays.
 constexpr int tried_along_side = 96;
 
-bool meets_a_surface(const World& world, const sensor::DetectorArray& array) {
+struct Seen {
+  int surfaces = 0;     ///< lines of sight that meet one
+  int from_behind = 0;  ///< that meet one from behind
+  bool bounds = false;  ///< whether any enters the scene's bounds
+};
+
+/// Whether a line enters a box: the slabs' intervals overlap.
+bool enters(const geometry::Bounds& box, const geometry::Ray& ray) {
+  double enter = 0.0, leave = std::numeric_limits<double>::infinity();
+  const auto slab = [&](double origin, double direction, double lo, double hi) {
+    const double a = (lo - origin) / direction, b = (hi - origin) / direction;
+    if (std::isnan(a) || std::isnan(b)) return;  // in the plane of a side
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  slab(ray.origin.x, ray.direction.x, box.lo.x, box.hi.x);
+  slab(ray.origin.y, ray.direction.y, box.lo.y, box.hi.y);
+  slab(ray.origin.z, ray.direction.z, box.lo.z, box.hi.z);
+  return enter <= leave;
+}
+
+Seen look(const World& world, const sensor::DetectorArray& array) {
+  const geometry::Bounds box = world.scene.geometry.bounds();
+  Seen seen;
   const int across = std::min(array.samples, tried_along_side);
   const int down = std::min(array.lines, tried_along_side);
   for (int j = 0; j < down; ++j) {
@@ -20,10 +45,13 @@ bool meets_a_surface(const World& world, const sensor::DetectorArray& array) {
       const double sample = (i + 0.5) * array.samples / across;
       const double line = (j + 0.5) * array.lines / down;
       const auto ray = sensor::view_ray(array, world.camera.pose, sample, line);
-      if (world.scene.geometry.intersect(ray)) return true;
+      const auto hit = world.scene.geometry.intersect(ray);
+      seen.surfaces += hit ? 1 : 0;
+      seen.from_behind += hit && hit->back_face ? 1 : 0;
+      seen.bounds = seen.bounds || enters(box, ray);
     }
   }
-  return false;
+  return seen;
 }
 
 /// Whether a corner or the middle of the scene's bounds lies in the array's field of view.
@@ -40,13 +68,20 @@ bool bounds_in_view(const World& world, const sensor::DetectorArray& array) {
 }
 
 void check_array(const World& world, const sensor::DetectorArray& array, Diagnostics& diagnostics) {
-  if (meets_a_surface(world, array)) return;
+  const Seen seen = look(world, array);
+  if (2 * seen.from_behind > seen.surfaces) {
+    diagnostics.warn(
+        fmt::format("array {} sees most surfaces from behind; is the camera below the ground or "
+                    "inside a body?",
+                    array.name));
+  }
+  if (seen.surfaces > 0) return;
   const std::string message = fmt::format(
       "array {} meets no surface along any line of sight that was tried; does the "
       "camera look the right way?",
       array.name);
   const bool dark_sky = std::holds_alternative<atmosphere::None>(world.scene.atmosphere);
-  if (dark_sky && !bounds_in_view(world, array)) throw InputError{message};
+  if (dark_sky && !seen.bounds && !bounds_in_view(world, array)) throw InputError{message};
   diagnostics.warn(message);
 }
 
@@ -55,7 +90,7 @@ void check_array(const World& world, const sensor::DetectorArray& array, Diagnos
 void check_view(const World& world, Diagnostics& diagnostics) {
   ErrorList errors;
   for (const sensor::DetectorArray& array : world.camera.arrays) {
-    errors.attempt([&] { check_array(world, array, diagnostics); });
+    errors.attempt("camera", world.file.string(), [&] { check_array(world, array, diagnostics); });
   }
   errors.throw_if_any();
 }

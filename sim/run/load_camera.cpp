@@ -21,7 +21,9 @@ Vec3 place(const std::variant<geometry::Geodetic, Vec3>& position, bool on_terra
 sensor::Pose pose_of(const PlatformInput& platform, const geometry::LocalFrame& frame,
                      const TerrainProbe& terrain) {
   const Vec3 position = place(platform.position, platform.on_terrain, frame, terrain);
-  const Mat3 local = frame.axes_at(frame.geodetic(position));
+  // Angles and "up" are those of the axes in which the position is given.
+  const auto* geodetic = std::get_if<geometry::Geodetic>(&platform.position);
+  const Mat3 local = geodetic != nullptr ? frame.axes_at(*geodetic) : Mat3{};
   if (const auto* aim = std::get_if<PlatformInput::LookAt>(&platform.attitude)) {
     const Vec3 target = place(aim->target, aim->on_terrain, frame, terrain);
     return sensor::look_at(position, target, local, degrees(aim->roll_deg));
@@ -43,7 +45,8 @@ spectral::Response response_of(const TabulatedBand& table, InputFiles& files) {
 }
 
 sensor::DetectorArray load_array(const ArrayInput& input, const CameraInput& camera,
-                                 InputFiles& files, ErrorList& errors) {
+                                 const std::string& scenario_file, InputFiles& files,
+                                 ErrorList& errors) {
   sensor::DetectorArray array;
   array.name = input.name;
   array.samples = input.samples;
@@ -60,10 +63,11 @@ sensor::DetectorArray load_array(const ArrayInput& input, const CameraInput& cam
     array.offset_y_m = input.offset_y_um * metres_per_um;
   }
   for (const BandInput& band : input.bands) {
-    errors.attempt([&] {
-      array.bands.push_back(
-          {band.name,
-           std::visit([&](const auto& r) { return response_of(r, files); }, band.response)});
+    errors.attempt("band " + band.name + " of array " + input.name, scenario_file, [&] {
+      const auto response =
+          std::visit([&](const auto& r) { return response_of(r, files); }, band.response);
+      spectral::check(response);
+      array.bands.push_back({band.name, response});
     });
   }
   return array;
@@ -75,9 +79,10 @@ Camera load_camera(const Scenario& scenario, const geometry::LocalFrame& frame,
                    const TerrainProbe& terrain, InputFiles& files) {
   Camera camera;
   ErrorList errors;
-  errors.attempt([&] { camera.pose = pose_of(scenario.platform, frame, terrain); });
+  const std::string file = scenario.file.string();
+  errors.attempt("camera", file, [&] { camera.pose = pose_of(scenario.platform, frame, terrain); });
   for (const ArrayInput& array : scenario.camera.arrays) {
-    camera.arrays.push_back(load_array(array, scenario.camera, files, errors));
+    camera.arrays.push_back(load_array(array, scenario.camera, file, files, errors));
   }
   errors.throw_if_any();
   return camera;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 #include "geometry/scene_builder.hpp"
 #include "geometry/terrain.hpp"
@@ -43,7 +44,7 @@ class GeometryReader {
  private:
   [[nodiscard]] Affine placed(const PlacementInput& input) const {
     Placement placement{input.position_m, input.yaw_deg, input.pitch_deg,
-                        input.roll_deg,   input.scale,   {}};
+                        input.roll_deg,   input.scale,   0};
     if (input.on_terrain) placement.position = terrain_.lifted(placement.position);
     return affine(placement);
   }
@@ -52,7 +53,8 @@ class GeometryReader {
     std::vector<Affine> placements;
     ErrorList errors;
     for (Placement& placement : read_instance_list(files_->note(input.list))) {
-      errors.attempt([&] {
+      const std::string row = "line " + std::to_string(placement.line);
+      errors.attempt(row, input.list.string(), [&] {
         if (input.on_terrain) placement.position = terrain_.lifted(placement.position);
         placements.push_back(affine(placement));
       });
@@ -92,12 +94,14 @@ LoadedGeometry load_geometry(const Scenario& scenario, const geometry::LocalFram
   };
   for (const GeometryInput& input : scenario.geometry) {
     if (const auto* terrain = std::get_if<TerrainInput>(&input)) {
-      errors.attempt([&] { reader.add_terrain(*terrain, number_of(input)); });
+      errors.attempt("terrain " + terrain->name, scenario.file.string(),
+                     [&] { reader.add_terrain(*terrain, number_of(input)); });
     }
   }
   errors.throw_if_any();  // without its terrain every object on it would be a mistake of its own
   for (const GeometryInput& input : scenario.geometry) {
-    errors.attempt([&] {
+    const std::string name = std::visit([](const auto& named) { return named.name; }, input);
+    errors.attempt("object " + name, scenario.file.string(), [&] {
       if (const auto* object = std::get_if<ObjectInput>(&input)) {
         reader.add_object(*object, number_of(input));
       } else if (const auto* instances = std::get_if<InstancesInput>(&input)) {

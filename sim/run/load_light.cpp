@@ -1,5 +1,7 @@
 #include "sim/run/load_light.hpp"
 
+#include <cmath>
+
 #include "ephemeris/bodies.hpp"
 #include "sim/run/error_list.hpp"
 #include "sim/run/read_curves.hpp"
@@ -10,18 +12,18 @@ namespace {
 using spectral::Outside;
 
 ephemeris::Illumination light_from(const ComputedSky& sky, const Scenario& scenario,
-                                   InputFiles& files, Diagnostics& diagnostics) {
+                                   InputFiles& files) {
   const ephemeris::Site site{scenario.origin.latitude_deg, scenario.origin.longitude_deg,
                              scenario.origin.height_m};
-  if (const auto caution = scenario.time.caution()) diagnostics.warn(*caution);
   const auto positions = ephemeris::sun_and_moon(scenario.time, site);
   const auto irradiance = [&](const SpectralInput& input) {
     return curve_of(input, SpectrumQuantity::irradiance, Outside::reject, files);
   };
   ephemeris::Illumination bodies;
-  if (sky.solar_irradiance) {
-    bodies.push_back(ephemeris::sun_light(positions.sun, irradiance(*sky.solar_irradiance)));
-  }
+  // A sun without irradiance is dark, but the truth planes still tell where it stands.
+  bodies.push_back(ephemeris::sun_light(positions.sun, sky.solar_irradiance
+                                                           ? irradiance(*sky.solar_irradiance)
+                                                           : spectral::Curve::constant(0.0)));
   if (sky.lunar_irradiance) {
     bodies.push_back(ephemeris::moon_light(positions.moon, irradiance(*sky.lunar_irradiance)));
   }
@@ -29,7 +31,7 @@ ephemeris::Illumination light_from(const ComputedSky& sky, const Scenario& scena
 }
 
 ephemeris::Illumination light_from(const FixedSky& sky, const Scenario& /*scenario*/,
-                                   InputFiles& files, Diagnostics& /*diagnostics*/) {
+                                   InputFiles& files) {
   ephemeris::Illumination bodies;
   ErrorList errors;
   for (const FixedBody& body : sky.bodies) {
@@ -62,9 +64,24 @@ atmosphere::Atmosphere air_from(const UniformAir& air, InputFiles& files) {
 
 }  // namespace
 
-ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files,
-                                          Diagnostics& diagnostics) {
-  return std::visit([&](const auto& sky) { return light_from(sky, scenario, files, diagnostics); },
+void warn_of_bright_night(const Scenario& scenario, const ephemeris::Illumination& bodies,
+                          const atmosphere::Atmosphere& air, Diagnostics& diagnostics) {
+  const auto* uniform = std::get_if<atmosphere::Uniform>(&air);
+  if (uniform == nullptr || !std::holds_alternative<ComputedSky>(scenario.illumination)) return;
+  const Micrometres green{0.55};
+  const auto bright = [&](const spectral::Curve& curve) {
+    return curve.covers(green, green) && curve.at(green) > 0.0;
+  };
+  const auto& sun = bodies.front();
+  if (sun.direction_enu.z > -std::sin(sun.angular_radius.value)) return;
+  if (!bright(uniform->sky_radiance) && !bright(uniform->path_radiance)) return;
+  diagnostics.warn(
+      "the sun is below the horizon, but the uniform atmosphere's sky or path is as bright in the "
+      "visible as its figures say");
+}
+
+ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files) {
+  return std::visit([&](const auto& sky) { return light_from(sky, scenario, files); },
                     scenario.illumination);
 }
 

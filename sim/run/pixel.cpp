@@ -38,6 +38,8 @@ PixelRenderer::PixelRenderer(const ArrayJob& job, const RenderOptions& options,
 radiometry::Counters PixelRenderer::counters() const {
   radiometry::Counters all;
   for (const auto& solver : solvers_) all += solver.counters();
+  // The blocks of lanes share their primary rays.
+  if (!solvers_.empty()) all.primary_rays = solvers_.front().counters().primary_rays;
   all.truth_rays += truth_rays_;
   return all;
 }

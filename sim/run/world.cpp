@@ -1,5 +1,10 @@
 #include "sim/run/world.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
 #include "sim/plan/array_plan.hpp"
 #include "sim/run/error_list.hpp"
 #include "sim/run/load_camera.hpp"
@@ -18,6 +23,39 @@ thermal::TemperatureField temperatures(const Scenario& scenario) {
   return thermal::TemperatureField{std::move(sources)};
 }
 
+// Rays leave a surface lifted by a few units of float resolution of the scene's size: a shadow
+// detail smaller than that is lost. (Lift at the edge of a scene of half extent S: 6 * 2^-23 S.)
+constexpr double lift_per_extent = 6.0 * 0x1p-23;
+constexpr double noticeable_m = 0.05;  // a kerb's shadow
+constexpr double useless_m = 1.0;      // a person's shadow
+
+// The sun's direction is that of the site; 100 km away it is off by a degree.
+constexpr double farthest_from_site_m = 1e5;
+
+void check_extent(const geometry::Scene& scene, Diagnostics& diagnostics) {
+  const geometry::Bounds box = scene.bounds();
+  const Vec3 half = (box.hi - box.lo) * 0.5;
+  const double lift_m = lift_per_extent * std::max({half.x, half.y, half.z});
+  const std::string reach =
+      fmt::format("the scene reaches from ({:.0f}, {:.0f}, {:.0f}) to ({:.0f}, {:.0f}, {:.0f}) m",
+                  box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z);
+  if (lift_m > useless_m) {
+    throw InputError{reach + "; in one this large shadows finer than a metre would be lost"};
+  }
+  if (lift_m > noticeable_m) {
+    diagnostics.warn(fmt::format("{}; shadows finer than {:.2f} m may be lost", reach, lift_m));
+  }
+  const auto beyond = [](double lo, double hi) { return std::max({lo, -hi, 0.0}); };
+  const Vec3 nearest{beyond(box.lo.x, box.hi.x), beyond(box.lo.y, box.hi.y),
+                     beyond(box.lo.z, box.hi.z)};
+  if (length(nearest) > farthest_from_site_m) {
+    throw InputError{
+        fmt::format("{}: its nearest surface is {:.0f} km from the site, whose sun "
+                    "and horizon it has",
+                    reach, length(nearest) * 1e-3)};
+  }
+}
+
 }  // namespace
 
 World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics) {
@@ -32,23 +70,45 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
 
   ErrorList errors;
   errors.attempt([&] { materials = load_materials(scenario, files); });
-  errors.attempt([&] { illumination = load_illumination(scenario, files, diagnostics); });
+  errors.attempt([&] { illumination = load_illumination(scenario, files); });
   errors.attempt([&] { air = load_atmosphere(scenario, files); });
   errors.attempt([&] { geometry = load_geometry(scenario, frame, files); });
   if (geometry) {
     errors.attempt([&] { camera = load_camera(scenario, frame, geometry->terrain, files); });
   }
+  errors.attempt([&] {
+    if (geometry) check_extent(geometry->scene, diagnostics);
+  });
   errors.throw_if_any();
-  return {{geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
+  warn_of_bright_night(scenario, illumination, air, diagnostics);
+  return {scenario.file,
+          {geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
            std::move(air), scenario.solver},
           std::move(camera)};
+}
+
+void check_memory(const World& world) {
+  constexpr double bytes_per_band = 3.0 * sizeof(float);  // radiance, error, brightness temperature
+  constexpr double bytes_of_truth = 5.0 * sizeof(float);
+  double needed = 0.0;
+  for (const sensor::DetectorArray& array : world.camera.arrays) {
+    needed += static_cast<double>(array.samples) * array.lines *
+              (bytes_per_band * static_cast<double>(array.bands.size()) + bytes_of_truth);
+  }
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed <= there) return;
+  throw InputError{fmt::format("the images need {:.1f} GB of memory, this machine has {:.1f} GB",
+                               needed * 1e-9, there * 1e-9)};
 }
 
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics) {
   ErrorList errors;
   for (const sensor::DetectorArray& array : world.camera.arrays) {
     for (const auto& lanes : plan_array(array, sampling.wavelengths_per_band).lanes.blocks) {
-      errors.attempt([&] { const radiometry::LitScene lit{world.scene, lanes, diagnostics}; });
+      errors.attempt("array " + array.name, world.file.string(), [&] {
+        const radiometry::LitScene lit{world.scene, lanes, diagnostics};
+      });
     }
   }
   errors.throw_if_any();

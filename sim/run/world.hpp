@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "core/diagnostics.hpp"
 #include "radiometry/lit_scene.hpp"
 #include "sim/run/input_files.hpp"
@@ -10,6 +12,7 @@ namespace nadir::sim {
 
 /// A scenario with everything that it names read and built, ready to be rendered.
 struct World {
+  std::filesystem::path file;  ///< of the scenario, for messages
   radiometry::SceneDescription scene;
   Camera camera;
 };
@@ -21,5 +24,9 @@ struct World {
 /// Checks that every spectrum serves the camera's bands, as a run would.
 /// @throws InputError
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics);
+
+/// Checks that the images fit into this machine's memory.
+/// @throws InputError
+void check_memory(const World& world);
 
 }  // namespace nadir::sim

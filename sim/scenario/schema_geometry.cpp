@@ -22,7 +22,7 @@ std::vector<Attribute> placement(Where where) {
                 "Clockwise about up, seen from above; turned first."),
       defaulted("pitch_deg", full_turn(), "deg", "0", "About the object's x axis; turned second."),
       defaulted("roll_deg", full_turn(), "deg", "0", "About the object's y axis; turned last."),
-      defaulted("scale", VectorType{above_to(0.0, 1e4), true}, "", "1",
+      defaulted("scale", VectorType{from_to(1e-4, 1e4), true}, "", "1",
                 "Factor along the object's own axes, before it is turned.")};
   if (where == Where::scene) {
     attributes.push_back(on_terrain("up_m counts from the terrain below instead of the site."));

@@ -36,7 +36,7 @@ std::vector<ElementType> illumination() {
                       required("azimuth_deg", full_turn(), "deg", "Clockwise from north."),
                       required("elevation_deg", from_to(-90.0, 90.0), "deg", "Above the horizon."),
                       // 0.2666 deg: the sun's radius of 695700 km seen from 1 AU
-                      defaulted("angular_radius_deg", above_to(0.0, 90.0), "deg", "0.2666",
+                      defaulted("angular_radius_deg", above_to(0.0, 89.0), "deg", "0.2666",
                                 "Half the angle that it spans; the default is the sun's."),
                       required("irradiance", irradiance(), "W m^-2 um^-1",
                                "Above the air, on a plane normal to its direction.")}},
@@ -85,7 +85,7 @@ ElementType solver(const std::string& id, const std::string& doc, const std::str
           .attributes = {
               setting("initial_sample_count", IntegerType{0, 100000}, "8", without,
                       "Full samples at the surface that a pixel sees."),
-              setting("sample_decay_rate", from_to(1.0, 1e6), "4", without,
+              setting("sample_decay_rate", from_to(1.0, 1e6), "2", without,
                       "Each bounce has that many times fewer full samples, rounded up."),
               setting("max_bounces", IntegerType{0, 1000}, "3", without,
                       "Surfaces after the first one whose own surroundings are sampled."),

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -96,6 +97,17 @@ TEST_CASE("the shipped demo scenarios are whole", "[end_to_end]") {
   CHECK(result.exit_code == 0);
   CHECK(result.out.find("day.xml: ok (") != std::string::npos);
   CHECK(result.out.find("night.xml: ok (") != std::string::npos);
+}
+
+TEST_CASE("an output folder that cannot be made is told before the work", "[end_to_end]") {
+  const sim::support::ScratchFolder scratch;
+  std::ofstream{scratch / "file"} << "taken";
+  const auto result =
+      run_nadir("run " + data_file("yard.xml") + " -o " + (scratch / "file").string());
+  CHECK(result.exit_code == 2);
+  CHECK(result.err.find("file: error: this folder cannot be made or written to") !=
+        std::string::npos);
+  CHECK(result.err.find("rendering") == std::string::npos);
 }
 
 TEST_CASE("options that do not exist end with exit code 2, help with 0", "[end_to_end]") {

@@ -176,6 +176,38 @@ TEST_CASE("a sun half below the scene's horizon gives half its light", "[radiome
   CHECK(seen.lanes[0].mean == Approx(500.0 * std::numbers::inv_pi).epsilon(0.01));
 }
 
+TEST_CASE("a wide disc brings its irradiance on a plane normal to it", "[radiometry]") {
+  // E is defined on that plane, so that an overhead disc gives rho E / pi whatever its radius.
+  const double radius_deg = GENERATE(0.266, 10.0, 45.0, 80.0);
+  SmallScene scene;
+  scene.add(geometry::Disc{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 1.0},
+            scene.material(grey(1.0), Kelvin{0.0}));
+  scene.add_body(0.0, 90.0, radius_deg, 1000.0);
+  scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
+  const Estimate seen = measure(scene.build(), one_lane, downward(), 16, 64).lanes[0];
+  CAPTURE(radius_deg, seen.mean);
+  CHECK(std::abs(seen.mean - 1000.0 * std::numbers::inv_pi) <
+        4.0 * seen.standard_error + 1e-5 * seen.mean);
+  CHECK(seen.standard_error < 0.002 * seen.mean);
+}
+
+TEST_CASE("a budget that targets use up is counted", "[radiometry]") {
+  SmallScene scene;
+  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
+  scene.add_body(0.0, 50.0, 0.266, 1000.0);
+  scene.solver.initial_sample_count = 1;
+  const Counters all = measure(scene.build(), one_lane, downward(), 1, 10).counters;
+  CHECK(all.budget_stops == 10);
+  CHECK(all.full_samples == 0);
+}
+
+TEST_CASE("a dark body costs no rays", "[radiometry]") {
+  SmallScene scene;
+  scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
+  scene.add_body(0.0, 50.0, 0.266, 0.0);
+  CHECK(measure(scene.build(), one_lane, downward(), 1, 10).counters.target_rays == 0);
+}
+
 TEST_CASE("the sun's disc is seen in part where an edge cuts it", "[radiometry]") {
   // A screen whose edge points at the centre of the sun, overhead.
   SmallScene scene;

@@ -34,11 +34,11 @@ TEST_CASE("a list of instances needs east and north and defaults the rest") {
 
 TEST_CASE("the columns of a list come in any order") {
   const auto list = parse_instance_list(
-      "prototype, scale_z, north_m, east_m, up_m, yaw_deg, pitch_deg, roll_deg, scale_x\n"
-      "oak 3, 2, 1, 0, 5, 90, 10, -20, 0.5\n",
+      "scale_z, north_m, east_m, up_m, yaw_deg, pitch_deg, roll_deg, scale_x\n"
+      "2, 1, 0, 5, 90, 10, -20, 0.5\n",
       "trees.csv");
   REQUIRE(list.size() == 1);
-  CHECK(list[0].prototype == "oak 3");
+  CHECK(list[0].line == 2);
   CHECK(list[0].position == Vec3{0.0, 1.0, 5.0});
   CHECK(list[0].scale == Vec3{0.5, 1.0, 2.0});
   CHECK(list[0].yaw_deg == 90.0);
@@ -112,7 +112,7 @@ TEST_CASE("all mistakes in a list have their places") {
   }
   CHECK(issues[0].message == "expected a finite number for scale, found \"x\"");
   CHECK(issues[1].message == "expected 3 cells, found 2");
-  CHECK(issues[3].message == "scale must differ from 0");
+  CHECK(issues[3].message == "scale must lie between 1e-6 and 1e6, or their negatives");
 }
 
 TEST_CASE("a list with wrong columns says which are right") {

@@ -171,6 +171,80 @@ TEST_CASE("a spectrum that does not reach a band is an error or a warning, never
   CHECK(held.warnings.size() == 1);
 }
 
+TEST_CASE("a camera that looks straight down has north at the top, wherever it stands",
+          "[sim][world]") {
+  const support::ScratchFolder folder;
+  const std::string material = R"(<material name="m" reflectance="0.4"/>)";
+  for (const std::string east_m : {"0", "1", "1000"}) {
+    std::string text = scenario_text(no_light, material, ground, thermal_band);
+    const auto from = text.find("<platform>"), to = text.find("</platform>");
+    text.replace(from, to - from,
+                 "<platform><position><local east_m=\"" + east_m +
+                     "\" north_m=\"0\" up_m=\"500\"/></position><attitude><look_at>"
+                     "<local east_m=\"" +
+                     east_m + "\" north_m=\"0\" up_m=\"0\"/></look_at></attitude>");
+    Diagnostics diagnostics;
+    InputFiles files;
+    std::ofstream{folder / "down.xml"} << text;
+    const World world =
+        load_world(read_scenario(folder / "down.xml", diagnostics), files, diagnostics);
+    CAPTURE(east_m);
+    CHECK(length(world.camera.pose.axes.x - Vec3{1.0, 0.0, 0.0}) < 1e-12);
+    CHECK(length(world.camera.pose.axes.y - Vec3{0.0, -1.0, 0.0}) < 1e-12);
+  }
+}
+
+TEST_CASE("a scene too large for its shadows, or far from its site, is told", "[sim][world]") {
+  const support::ScratchFolder folder;
+  const auto load_with = [&](const std::string& geometry) {
+    return load(folder, scenario_text(no_light, R"(<material name="m" reflectance="0.4"/>)",
+                                      geometry, thermal_band));
+  };
+  const auto warned = load_with(ground + R"(<sphere material="m" radius_m="10" east_m="2e5"/>)");
+  REQUIRE(warned.warnings.size() == 1);
+  CHECK(warned.warnings[0].find("shadows finer than 0.07 m may be lost") != std::string::npos);
+  const auto refused = support::message_of(
+      [&] { (void)load_with(ground + R"(<sphere material="m" radius_m="10" east_m="1e7"/>)"); });
+  CHECK(refused.find("shadows finer than a metre would be lost") != std::string::npos);
+  const auto elsewhere = support::message_of(
+      [&] { (void)load_with(R"(<plane material="m" size_x_m="9" size_y_m="9" north_m="5e5"/>)"); });
+  CHECK(elsewhere.find("its nearest surface is 500 km from the site") != std::string::npos);
+}
+
+TEST_CASE("a night under a sky that still shines is told", "[sim][world]") {
+  const support::ScratchFolder folder;
+  std::string text = scenario_text(
+      R"(<illumination><ephemeris solar_irradiance="1800"/></illumination>
+         <atmosphere><uniform sky_radiance="50"/></atmosphere>)",
+      R"(<material name="m" reflectance="0.4"/>)", ground, thermal_band);
+  CHECK(load(folder, text).warnings.empty());
+  text.replace(text.find("T16:"), 4, "T05:");
+  const auto warnings = load(folder, text).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("the sun is below the horizon") == 0);
+}
+
+TEST_CASE("a mistake without a place of its own names its object, its row or its band",
+          "[sim][world]") {
+  const support::ScratchFolder folder;
+  std::ofstream{folder / "list.csv"} << "east_m,north_m\n1,2\n3,4\n";
+  const std::string material = R"(<material name="m" reflectance="0.4"/>)";
+  const auto flat = support::message_of([&] {
+    (void)load(folder,
+               scenario_text(no_light, material, ground + R"(<instances name="trees" list="list.csv"
+                                     on_terrain="false"><mesh file="none.obj" material="m"/>
+                                     </instances>)",
+                             thermal_band));
+  });
+  CHECK(flat.find("none.obj") != std::string::npos);
+  const auto band = support::message_of([&] {
+    (void)load(folder, scenario_text(no_light, material, ground,
+                                     R"(<band_gaussian name="g" centre_um="1" fwhm_um="0.8"/>)"));
+  });
+  CAPTURE(band);
+  CHECK(band.find("band g of array a: expected a Gaussian response") != std::string::npos);
+}
+
 TEST_CASE("a camera that sees nothing is told before anything is rendered", "[sim][world]") {
   const std::string sky =
       R"(<illumination><fixed/></illumination><atmosphere><uniform sky_radiance="5"/></atmosphere>)";
@@ -185,8 +259,9 @@ TEST_CASE("a camera that sees nothing is told before anything is rendered", "[si
     check_view(load(folder, text(no_light)).world, diagnostics);
   });
   CHECK(dark ==
-        "error: array a meets no surface along any line of sight that was tried; does the camera "
-        "look the right way?\n");
+        (folder / "scenario.xml").string() +
+            ": error: camera: array a meets no surface along any line of sight that was tried; "
+            "does the camera look the right way?\n");
   Diagnostics diagnostics;
   check_view(load(folder, text(sky)).world, diagnostics);
   CHECK(diagnostics.messages().size() == 1);
