@@ -15,17 +15,22 @@ std::string format_all(const std::vector<InputIssue>& issues) {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Levenshtein's distance, blind to the case of ASCII letters.
+/// Edit distance with exchanged neighbours as one edit (optimal string alignment: Damerau, Comm.
+/// ACM 7(3), 171, 1964), blind to the case of ASCII letters.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> two_back(b.size() + 1), back(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
+  const auto same = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    two_back.swap(back);
+    back.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+      const std::size_t substituted = back[j - 1] + (same(i - 1, j - 1) ? 0 : 1);
+      row[j] = std::min({back[j] + 1, row[j - 1] + 1, substituted});
+      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
+        row[j] = std::min(row[j], two_back[j - 2] + 1);
+      }
     }
   }
   return row.back();

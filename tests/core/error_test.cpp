@@ -63,10 +63,12 @@ TEST_CASE("an error carries all mistakes, and takes a location where it has none
 TEST_CASE("the nearest name is offered only where it may be meant", "[core][error]") {
   const std::vector<std::string> names = {"emissivity", "reflectance", "transmittance", "rho"};
   CHECK(nearest_name("emisivity", names) == "emissivity");
-  CHECK(nearest_name("relfectance", names) == "reflectance");  // two exchanged letters count 2
+  CHECK(nearest_name("relfectance", names) == "reflectance");  // two exchanged letters count 1
   CHECK(nearest_name("Transmitance", names) == "transmittance");
   CHECK(nearest_name("RHO", names) == "rho");
-  CHECK(nearest_name("roh", names).empty());  // distance 2 in three letters
+  CHECK(nearest_name("roh", names) == "rho");
+  CHECK(nearest_name("ohr", names).empty());  // distance 2 in three letters
+  CHECK(nearest_name("titel", {"title", "tile"}) == "title");
   CHECK(nearest_name("colour", names).empty());
   CHECK(nearest_name("x", {"y"}).empty());
   CHECK(nearest_name("", names).empty());
