@@ -27,7 +27,7 @@ ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
           {"samples_per_replicate", integer(scenario.sampling.samples_per_replicate)},
           {"wavelengths_per_band", integer(scenario.sampling.wavelengths_per_band)},
           {"seed", integer(options.seed)},
-          {"threads", integer(options.threads)}};
+          {"threads", integer(options.threads > 0 ? options.threads : available_threads())}};
 }
 
 std::map<std::string, std::uint64_t> counters_of(const radiometry::Counters& c) {
@@ -86,10 +86,23 @@ void prepare_output(const std::filesystem::path& folder) {
   }
 }
 
-std::vector<FileRecord> record_inputs(const InputFiles& inputs) {
+/// What a file that was read is to the run.
+std::string role_of(const std::filesystem::path& file, const Scenario& scenario) {
+  const std::string ending = file.extension().string();
+  if (file == scenario.file) return "scenario";
+  if (ending == ".xml") return "material library";
+  if (ending == ".csv") return "table";
+  for (const GeometryInput& input : scenario.geometry) {
+    const auto* terrain = std::get_if<TerrainInput>(&input);
+    if (terrain != nullptr && terrain->raster == file) return "terrain";
+  }
+  return "mesh";
+}
+
+std::vector<FileRecord> record_inputs(const InputFiles& inputs, const Scenario& scenario) {
   std::vector<FileRecord> records;
   for (const auto& file : inputs.all()) {
-    records.push_back(record_file(file.extension().string(), file));
+    records.push_back(record_file(role_of(file, scenario), file));
   }
   return records;
 }
@@ -113,7 +126,7 @@ RunOutcome run_scenario(const RunOptions& options) {
   check_memory(world);
   check_view(world, diagnostics);
   prepare_output(options.output);
-  report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs); });
+  report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
                   {scenario.sampling, options.seed, options.threads, scenario.products.truth,

@@ -1,6 +1,7 @@
 #include "sim/run/tiles.hpp"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -18,6 +19,8 @@ std::vector<Tile> cut_into_tiles(int array, int samples, int lines, int edge) {
   }
   return tiles;
 }
+
+int available_threads() { return oneapi::tbb::info::default_concurrency(); }
 
 // More threads than processors need the process-wide limit raised; an arena alone would be cut.
 struct ThreadLimit::State {

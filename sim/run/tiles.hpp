@@ -16,6 +16,9 @@ struct Tile {
 /// Cuts an image into tiles of at most `edge` pixels a side, row by row.
 [[nodiscard]] std::vector<Tile> cut_into_tiles(int array, int samples, int lines, int edge);
 
+/// Threads that work is spread over when no number is given.
+[[nodiscard]] int available_threads();
+
 /// While it lives, this process uses at most (and, where there is work, exactly) so many threads.
 class ThreadLimit {
  public:
