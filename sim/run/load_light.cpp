@@ -1,6 +1,7 @@
 #include "sim/run/load_light.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "ephemeris/bodies.hpp"
 #include "sim/run/error_list.hpp"
@@ -19,15 +20,12 @@ ephemeris::Illumination light_from(const ComputedSky& sky, const Scenario& scena
   const auto irradiance = [&](const SpectralInput& input) {
     return curve_of(input, SpectrumQuantity::irradiance, Outside::reject, files);
   };
-  ephemeris::Illumination bodies;
   // A sun without irradiance is dark, but the truth planes still tell where it stands.
-  bodies.push_back(ephemeris::sun_light(positions.sun, sky.solar_irradiance
-                                                           ? irradiance(*sky.solar_irradiance)
-                                                           : spectral::Curve::constant(0.0)));
-  if (sky.lunar_irradiance) {
-    bodies.push_back(ephemeris::moon_light(positions.moon, irradiance(*sky.lunar_irradiance)));
-  }
-  return bodies;
+  const auto solar =
+      sky.solar_irradiance ? irradiance(*sky.solar_irradiance) : spectral::Curve::constant(0.0);
+  std::optional<spectral::Curve> lunar;
+  if (sky.lunar_irradiance) lunar = irradiance(*sky.lunar_irradiance);
+  return ephemeris::illumination(positions, solar, lunar);
 }
 
 ephemeris::Illumination light_from(const FixedSky& sky, const Scenario& /*scenario*/,
