@@ -1,5 +1,7 @@
 #include "atmosphere/atmosphere.hpp"
 
+#include <algorithm>
+
 #include "spectral/coverage.hpp"
 #include "spectral/planck.hpp"
 
@@ -20,20 +22,27 @@ Spectrum layer_emission(const Spectrum& transmittance, Kelvin temperature, const
 
 BoundAtmosphere::BoundAtmosphere(const Atmosphere& atmosphere, const Lanes& lanes)
     : sky_{lanes.count()},
+      shaped_{lanes.count()},
       direct_{lanes.count(), 1.0F},
       path_{Spectrum{lanes.count(), 1.0F}, Spectrum{lanes.count()}} {
   const auto* uniform = std::get_if<Uniform>(&atmosphere);
   if (uniform == nullptr) return;
   using spectral::at_all;
-  sky_ = at_all(uniform->sky_radiance, lanes, "the sky's radiance") +
-         spectral::planck(lanes, uniform->sky_temperature);
+  sky_ = spectral::planck(lanes, uniform->sky_temperature);
+  shape_ = uniform->sky_shape;
+  (even_sky() ? sky_ : shaped_) += at_all(uniform->sky_radiance, lanes, "the sky's radiance");
   direct_ = at_all(uniform->solar_transmittance, lanes, "the air's solar transmittance");
   path_.transmittance = at_all(uniform->transmittance, lanes, "the air's transmittance");
   path_.radiance = at_all(uniform->path_radiance, lanes, "the air's path radiance") +
                    layer_emission(path_.transmittance, uniform->air_temperature, lanes);
 }
 
-Spectrum BoundAtmosphere::sky(Vec3 /*direction_enu*/) const noexcept { return sky_; }
+Spectrum BoundAtmosphere::sky(Vec3 direction_enu) const noexcept {
+  if (even_sky()) return sky_;
+  const double shape = 3.0 / 7.0 * (1.0 + 2.0 * std::max(direction_enu.z, 0.0));
+  Spectrum radiance = sky_;
+  return radiance.add_scaled(shaped_, static_cast<float>(shape));
+}
 
 Spectrum BoundAtmosphere::direct_transmittance(Vec3 /*direction_enu*/) const noexcept {
   return direct_;

@@ -12,8 +12,17 @@ namespace nadir::atmosphere {
 /// No air: the sky is black, nothing is lost on any path.
 struct None {};
 
-/// The same air along every path and in every direction; below the horizon, where a ray may leave a
-/// scene of finite extent, the sky is as bright as above.
+/// How a sky's radiance is spread over the dome. Either way a level surface gets pi times the
+/// stated sky radiance.
+enum class SkyShape {
+  even,     ///< alike in all directions
+  overcast  ///< L = 3/7 (1 + 2 cos z) L_sky: the standard overcast sky, three times as bright in
+            ///< the zenith as at the horizon. Source: Moon & Spencer, Illum. Eng. 37, 707 (1942);
+            ///< CIE S 011 (2003). Below the horizon as at the horizon.
+};
+
+/// The same air along every path; below the horizon, where a ray may leave a scene of finite
+/// extent, an even sky is as bright as above.
 struct Uniform {
   spectral::Curve sky_radiance;         ///< W m^-2 sr^-1 um^-1, from every direction of the sky
   Kelvin sky_temperature;               ///< a black sky of this temperature is added; 0 K: none
@@ -21,6 +30,7 @@ struct Uniform {
   spectral::Curve transmittance;        ///< from a surface to the sensor, in [0, 1]
   spectral::Curve path_radiance;        ///< scattered into that path, W m^-2 sr^-1 um^-1
   Kelvin air_temperature;               ///< the path emits (1 - transmittance) B(T); 0 K: nothing
+  SkyShape sky_shape = SkyShape::even;  ///< of sky_radiance; the sky's emission is always even
 };
 
 /// What the user describes. The full model of the air will be one more alternative.
@@ -41,13 +51,17 @@ class BoundAtmosphere {
   /// Radiance that arrives at a surface from a direction of the open sky, without the discs of sun
   /// and moon. `direction_enu` points away from the surface.
   [[nodiscard]] spectral::Spectrum sky(Vec3 direction_enu) const noexcept;
+  /// Whether the sky is alike in all directions.
+  [[nodiscard]] bool even_sky() const noexcept { return shape_ == SkyShape::even; }
   /// Share of a body's irradiance that reaches a surface.
   [[nodiscard]] spectral::Spectrum direct_transmittance(Vec3 direction_enu) const noexcept;
   /// The path from a surface to the sensor, `length_m` long.
   [[nodiscard]] PathTerms path(Vec3 direction_enu, double length_m) const noexcept;
 
  private:
-  spectral::Spectrum sky_;
+  spectral::Spectrum sky_;     // even part
+  spectral::Spectrum shaped_;  // part that follows shape_, where that is not even
+  SkyShape shape_ = SkyShape::even;
   spectral::Spectrum direct_;
   PathTerms path_;
 };

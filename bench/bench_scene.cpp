@@ -1,7 +1,9 @@
 #include "bench_scene.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "core/frame.hpp"
-#include "materials/lambertian.hpp"
 #include "sensor/detector_array.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
@@ -43,12 +45,13 @@ void add_secondary_rays(const PixelPath& path, const radiometry::Target& sun, Be
   if (dot(towards, hit->normal) > 0.0) {
     scene.to_sun.push_back({geometry::leaving_origin(*hit, towards), towards});
   }
-  const Frame frame = frame_about(hit->normal);
-  const Vec3 wo = frame.to_local(-path.ray.direction);
-  if (const auto drawn = materials::Lambertian{}.sample(wo, path.numbers.point(bounce))) {
-    const Vec3 direction = frame.to_world(drawn->wi);
-    scene.bounces.push_back({geometry::leaving_origin(*hit, direction), direction});
-  }
+  // Malley: a uniform point on the disc, lifted to the hemisphere, follows the cosine.
+  const Vec2 u = path.numbers.point(bounce);
+  const double radius = std::sqrt(u.x), azimuth = 2.0 * std::numbers::pi * u.y;
+  const Vec3 direction =
+      frame_about(hit->normal)
+          .to_world({radius * std::cos(azimuth), radius * std::sin(azimuth), std::sqrt(1.0 - u.x)});
+  scene.bounces.push_back({geometry::leaving_origin(*hit, direction), direction});
 }
 
 }  // namespace

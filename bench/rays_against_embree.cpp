@@ -11,6 +11,7 @@
 #include "bench_scene.hpp"
 #include "core/error.hpp"
 #include "radiometry/generic_solver.hpp"
+#include "radiometry/path_solver.hpp"
 #include "ray_tape.hpp"
 
 namespace nadir::bench {
@@ -95,13 +96,14 @@ void add_rays(const std::string& name, const std::vector<geometry::Ray>& rays, T
 }
 
 /// Every path of the scene from the aperture on, with all the rays that it starts.
-void add_solver(const BenchScene& scene, int lanes) {
+template <class Solver>
+void add_solver(const BenchScene& scene, const std::string& name, int lanes) {
   auto subject = std::make_shared<Subject>();
   auto lit = std::make_shared<const radiometry::LitScene>(lit_at(scene.world, lanes));
   const auto walk = [&scene, lit] {
-    radiometry::GenericSolver solver{*lit};
+    Solver solver{*lit};
     for (const PixelPath& path : scene.paths) {
-      const auto hit = lit->geometry().intersect(path.ray);
+      const auto hit = lit->intersect(path.ray, path.numbers);
       const auto radiance = solver.aperture_radiance(path.ray, hit, path.numbers.child(0));
       benchmark::DoNotOptimize(radiance[0]);
     }
@@ -113,7 +115,7 @@ void add_solver(const BenchScene& scene, int lanes) {
   }
   subject->work = [walk] { walk(); };
   subject->lanes = lanes;
-  add_row(scene.name + "/solver/" + std::to_string(lanes) + "_lanes", subject);
+  add_row(scene.name + "/" + name + "/" + std::to_string(lanes) + "_lanes", subject);
 }
 
 void add_scene(const BenchScene& scene) {
@@ -125,7 +127,10 @@ void add_scene(const BenchScene& scene) {
   add_rays(scene.name + "/primary", scene.primary, first_hit);
   add_rays(scene.name + "/to_sun", scene.to_sun, any_hit);
   add_rays(scene.name + "/bounce", scene.bounces, first_hit);
-  for (const int lanes : {2, 16, 64}) add_solver(scene, lanes);
+  for (const int lanes : {8, 16, 64}) {
+    add_solver<radiometry::GenericSolver>(scene, "generic", lanes);
+    add_solver<radiometry::PathSolver>(scene, "path", lanes);
+  }
 }
 
 int run_all(int argc, char** argv) {

@@ -23,7 +23,9 @@ class Sampler {
     return scrambled_sobol_2d(index_, mix(key_, dimension));
   }
   /// The 1-D number for the purpose `dimension`, in [0, 1).
-  [[nodiscard]] double number(std::uint32_t dimension) const noexcept { return point(dimension).x; }
+  [[nodiscard]] double number(std::uint32_t dimension) const noexcept {
+    return scrambled_sobol_1d(index_, mix(key_, dimension));
+  }
 
   /// The numbers of ray `branch` that leaves the present point.
   [[nodiscard]] constexpr Sampler child(std::uint32_t branch) const noexcept {

@@ -40,17 +40,29 @@ constexpr double unit_from_reversed(std::uint32_t v) noexcept {
   return static_cast<double>(reversed(v)) * 0x1.0p-32;
 }
 
+/// The index as the key shuffles it. The first Sobol coordinate is the bit-reversed index.
+constexpr std::uint32_t shuffled_index(std::uint32_t index, std::uint64_t a) noexcept {
+  return reversed(permuted_from_low_bits(reversed(index), static_cast<std::uint32_t>(a)));
+}
+
+constexpr double first_coordinate(std::uint32_t shuffled, std::uint64_t a) noexcept {
+  // Reversed once more it is the index.
+  return unit_from_reversed(permuted_from_low_bits(shuffled, static_cast<std::uint32_t>(a >> 32)));
+}
+
 }  // namespace
 
 Vec2 scrambled_sobol_2d(std::uint32_t index, std::uint64_t key) noexcept {
   const std::uint64_t a = mix(key, 0), b = mix(key, 1);
-  const std::uint32_t shuffled =
-      reversed(permuted_from_low_bits(reversed(index), static_cast<std::uint32_t>(a)));
-  // The first Sobol coordinate is the bit-reversed index; reversed once more it is the index.
-  const std::uint32_t x = permuted_from_low_bits(shuffled, static_cast<std::uint32_t>(a >> 32));
+  const std::uint32_t shuffled = shuffled_index(index, a);
   const std::uint32_t y =
       permuted_from_low_bits(second_dimension(shuffled), static_cast<std::uint32_t>(b));
-  return {unit_from_reversed(x), unit_from_reversed(y)};
+  return {first_coordinate(shuffled, a), unit_from_reversed(y)};
+}
+
+double scrambled_sobol_1d(std::uint32_t index, std::uint64_t key) noexcept {
+  const std::uint64_t a = mix(key, 0);
+  return first_coordinate(shuffled_index(index, a), a);
 }
 
 }  // namespace nadir

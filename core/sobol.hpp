@@ -15,5 +15,7 @@ namespace nadir {
 /// Source: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is Vegdahl's
 /// improved Laine-Karras permutation (2021). Tested against the net property.
 [[nodiscard]] Vec2 scrambled_sobol_2d(std::uint32_t index, std::uint64_t key) noexcept;
+/// The first coordinate of that point alone, for half the work.
+[[nodiscard]] double scrambled_sobol_1d(std::uint32_t index, std::uint64_t key) noexcept;
 
 }  // namespace nadir

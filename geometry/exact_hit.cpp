@@ -7,6 +7,10 @@
 namespace nadir::geometry {
 namespace {
 
+/// Barycentric coordinates below this count as on the edge. Float rounding puts a ray in a million
+/// exactly there; what happens elsewhere must not depend on it.
+constexpr double on_edge = 1e-6;
+
 struct Triangle {
   Vec3 a, b, c;
 };
@@ -51,6 +55,9 @@ std::optional<ExactHit> hit_triangle(const RayQuery& query, const Triangle& tri,
   hit.t = dot(hit.position - query.origin, query.direction);
   hit.normal = cross(e1, e2);
   hit.uv = uv;
+  if (std::min({uv.x, uv.y, 1.0 - uv.x - uv.y}) < on_edge) {
+    hit.inward = (e1 + e2) / 3.0 - uv.x * e1 - uv.y * e2;
+  }
   if (!(hit.t > 0.0 && hit.t <= query.t_max)) return std::nullopt;
   return hit;
 }

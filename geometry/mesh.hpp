@@ -13,6 +13,7 @@ namespace nadir::geometry {
 struct TriangleMesh {
   std::vector<Vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
+  std::vector<Vec2> texture;  ///< one for each position, or empty; a seam repeats its positions
   std::vector<std::uint32_t> parts;     ///< for each triangle an index into part_names
   std::vector<std::string> part_names;  ///< as in the file (OBJ: usemtl)
 };

@@ -30,6 +30,7 @@ struct ExactHit {
   Vec3 position;   ///< about the scene's centre, m
   Vec3 normal;     ///< outward or by winding, not normalised
   Vec2 uv;
+  Vec3 inward{};  ///< from an edge or vertex of a triangle to its centroid, m; elsewhere 0
   std::uint32_t primitive = 0;
   const Item* item = nullptr;
   const Instance* instance = nullptr;
@@ -38,5 +39,8 @@ struct ExactHit {
 /// What Embree found, computed in double. None if the double ray does not meet it with
 /// 0 < t <= t_max.
 [[nodiscard]] std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found);
+
+/// Fills in the texture coordinates and the tangent of a hit on a mesh that has them.
+void add_texture(const ExactHit& exact, Hit& hit);
 
 }  // namespace nadir::geometry

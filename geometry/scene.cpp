@@ -131,6 +131,9 @@ Hit finished(const RayQuery& query, const ExactHit& exact) {
   // The second term matters only for a tiny scene far from the origin of its axes.
   hit.lift =
       std::max(lift_steps * rounding_at(data, exact.position), 0x1.0p-48 * largest(hit.position));
+  const double to_middle = length(exact.inward);
+  if (to_middle > 0.0) hit.inset = std::min(hit.lift / to_middle, 0.25) * exact.inward;
+  if (!exact.item->texture.empty()) add_texture(exact, hit);
   return hit;
 }
 
@@ -167,7 +170,8 @@ std::uint64_t Scene::stored_primitives() const { return data_->stored; }
 std::uint64_t Scene::represented_primitives() const { return data_->represented; }
 
 Vec3 leaving_origin(const Hit& hit, Vec3 direction) {
-  return hit.position + std::copysign(hit.lift, dot(direction, hit.normal)) * hit.normal;
+  const double lift = std::copysign(hit.lift, dot(direction, hit.normal));
+  return hit.position + hit.inset + lift * hit.normal;
 }
 
 }  // namespace nadir::geometry

@@ -22,12 +22,15 @@ struct Hit {
   Vec3 position;               ///< on the surface, scene axes, m
   Vec3 normal;                 ///< geometric unit normal, turned towards the side the ray came from
   Vec2 uv;                     ///< barycentric or parametric coordinates on the primitive
+  Vec2 texture;                ///< texture coordinates, where the mesh has them
+  Vec3 tangent;                ///< unit, in the surface, along growing texture u; 0 without them
   std::uint32_t material = 0;  ///< index into the scenario's list of materials
   std::uint32_t object = 0;    ///< which object of the scenario, in the order of the file
   std::uint32_t instance = 0;  ///< number within an instance list, 0 where there is none
   std::uint32_t primitive = 0;  ///< triangle or shape within its mesh
   bool back_face = false;       ///< the ray came from the side that the normal pointed away from
   double lift = 0.0;            ///< how far leaving_origin lifts a ray off the surface, m
+  Vec3 inset{};  ///< how it moves it off an edge of the triangle as well, along the surface, m
 };
 
 struct Bounds {
@@ -66,7 +69,9 @@ class Scene {
 
 /// Origin for a ray that leaves `hit` towards `direction`: lifted off the surface on that side by a
 /// few units of float resolution at that place, so that it neither meets the surface that it leaves
-/// nor skips one a millimetre away (in a scene of a kilometre: the lift is at most 0.36 mm).
+/// nor skips one a millimetre away (in a scene of a kilometre: the lift is at most 0.36 mm). From
+/// an edge of a triangle it is moved inwards as far: a place that lies exactly in the plane of the
+/// neighbour would let rays slip out behind that.
 /// Idea: Waechter & Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing
 /// Gems (2019), ch. 6; here the lift depends on the place alone, and the double test does the rest.
 [[nodiscard]] Vec3 leaving_origin(const Hit& hit, Vec3 direction);

@@ -87,6 +87,7 @@ void attach_items(RTCDevice device, RTCScene scene, const std::vector<GatheredIt
   items.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     items[i].triangle_materials = from[i].triangle_materials;
+    items[i].texture = from[i].texture;
     items[i].material = from[i].material;
     items[i].object = from[i].object;
     items[i].mirrored = from[i].mirrored;
@@ -192,6 +193,11 @@ Scene assemble(const SceneBuilder::State& state) {
   set_bounds(*data, state);
   attach_items(data->device.get(), data->top.get(), state.items, data->centre,
                padding_steps * float_step * data->extent, data->items);
+  std::size_t placements = 0;
+  for (const GatheredPrototype& prototype : state.prototypes) {
+    placements += prototype.placements.size();
+  }
+  data->instances.reserve(placements);  // grown by doubling it would waste a third
   data->prototypes.reserve(state.prototypes.size());
   for (const GatheredPrototype& prototype : state.prototypes) add_prototype(*data, prototype);
   rtcCommitScene(data->top.get());

@@ -15,6 +15,9 @@ namespace {
 /// Beyond this the squares of Embree's float arithmetic come near to overflow.
 constexpr double farthest_m = 1e15;
 
+/// Beyond this a float no longer tells the pixels of a map apart.
+constexpr double farthest_texture = 1e6;
+
 /// Beyond this Embree's float transforms overflow when they are inverted.
 constexpr double smallest_scale = 1e-6;
 
@@ -64,6 +67,21 @@ void set_materials(GatheredItem& item, const TriangleMesh& mesh,
   }
 }
 
+void set_texture(GatheredItem& item, const TriangleMesh& mesh) {
+  if (!mesh.texture.empty() && mesh.texture.size() != mesh.positions.size()) {
+    throw InputError{"the mesh has texture coordinates for " + std::to_string(mesh.texture.size()) +
+                     " of its " + std::to_string(mesh.positions.size()) + " vertices"};
+  }
+  item.texture.reserve(mesh.texture.size());
+  for (const Vec2& at : mesh.texture) {
+    if (!(std::abs(at.x) <= farthest_texture && std::abs(at.y) <= farthest_texture)) {
+      throw InputError{"the texture coordinates of vertex " + std::to_string(item.texture.size()) +
+                       " are not finite or beyond 1e6"};
+    }
+    item.texture.push_back({static_cast<float>(at.x), static_cast<float>(at.y)});
+  }
+}
+
 void gather_mesh(GatheredItem& item, const TriangleMesh& mesh, const Affine& placement) {
   check_indices(mesh);
   item.triangles = mesh.triangles;
@@ -98,6 +116,7 @@ GatheredItem gather(const Surface& surface, const Affine& placement, std::uint32
   item.mirrored = placement.linear.determinant() < 0.0;
   if (const auto* mesh = std::get_if<TriangleMesh>(&surface.form)) {
     gather_mesh(item, *mesh, placement);
+    set_texture(item, *mesh);
     set_materials(item, *mesh, surface.part_materials);
   } else {
     gather_shape(item, std::get<Shape>(surface.form), placement);

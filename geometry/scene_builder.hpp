@@ -34,7 +34,8 @@ class SceneBuilder {
 
   /// Places a surface once, its coordinates taken to scene axes by `placement` (baked in double).
   /// @throws InputError for non-finite vertices, indices out of range, parts without a material,
-  ///         a mesh without triangles, degenerate shapes and singular placements.
+  ///         a mesh without triangles, texture coordinates for some vertices only or not finite,
+  ///         degenerate shapes and singular placements.
   void add(const Surface& surface, const Affine& placement, std::uint32_t object);
   /// Stores surfaces once and places them many times. Same errors.
   void add_instances(const std::vector<Surface>& prototype, const std::vector<Affine>& placements,

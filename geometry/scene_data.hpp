@@ -25,6 +25,7 @@ struct Item {
   const float* vertices = nullptr;                ///< three floats each, in Embree's own buffer
   const std::uint32_t* triangles = nullptr;       ///< three indices each, likewise
   std::vector<std::uint32_t> triangle_materials;  ///< empty where all have the first material
+  std::vector<std::array<float, 2>> texture;      ///< by vertex; empty where the mesh has none
   std::uint32_t material = 0;
   std::uint32_t object = 0;
   bool mirrored = false;  ///< the placement turned the winding round

@@ -16,6 +16,7 @@ namespace nadir::geometry {
 struct GatheredItem {
   std::vector<Vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<float, 2>> texture;      ///< by position, or empty
   std::vector<std::uint32_t> triangle_materials;  ///< empty where all have the first material
   std::uint32_t material = 0;
   std::uint32_t object = 0;

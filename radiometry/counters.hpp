@@ -7,10 +7,14 @@ namespace nadir::radiometry {
 /// What the solver did: rays by kind, and how often each threshold changed a sample's fate.
 struct Counters {
   std::uint64_t primary_rays = 0;
-  std::uint64_t target_rays = 0;  ///< towards sun, moon or lamp
+  std::uint64_t target_rays = 0;  ///< towards sun or moon
+  std::uint64_t lamp_rays = 0;    ///< towards lamps
+  std::uint64_t path_rays = 0;    ///< by which walks of the path solver go on
   std::uint64_t full_samples = 0;
   std::uint64_t direct_only_samples = 0;
-  std::uint64_t truth_rays = 0;  ///< for the shadow plane
+  std::uint64_t truth_rays = 0;      ///< for the shadow plane
+  std::uint64_t volume_events = 0;   ///< scatterings in volumes
+  std::uint64_t roulette_stops = 0;  ///< walks that Russian roulette ended
   std::uint64_t current_weight_stops = 0;
   std::uint64_t target_weight_skips = 0;
   std::uint64_t full_weight_downgrades = 0;
@@ -22,6 +26,10 @@ struct Counters {
   Counters& operator+=(const Counters& b) noexcept {
     primary_rays += b.primary_rays;
     target_rays += b.target_rays;
+    lamp_rays += b.lamp_rays;
+    path_rays += b.path_rays;
+    volume_events += b.volume_events;
+    roulette_stops += b.roulette_stops;
     full_samples += b.full_samples;
     direct_only_samples += b.direct_only_samples;
     truth_rays += b.truth_rays;
@@ -35,7 +43,8 @@ struct Counters {
     return *this;
   }
   [[nodiscard]] std::uint64_t rays() const noexcept {
-    return primary_rays + target_rays + full_samples + direct_only_samples + truth_rays;
+    return primary_rays + target_rays + lamp_rays + path_rays + full_samples + direct_only_samples +
+           truth_rays;
   }
 };
 

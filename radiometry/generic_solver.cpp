@@ -1,136 +1,160 @@
 #include "radiometry/generic_solver.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <limits>
 
-#include "core/frame.hpp"
-#include "radiometry/quad_hemisphere.hpp"
-#include "radiometry/sample_allocation.hpp"
+#include "radiometry/generic_solver_state.hpp"
 #include "radiometry/thresholds.hpp"
+#include "radiometry/visibility.hpp"
 
 namespace nadir::radiometry {
 
+using namespace generic;  // NOLINT(google-build-using-namespace): names of this folder alone
 using geometry::Hit;
 using geometry::Ray;
 using spectral::Spectrum;
 using spectral::SpectrumSum;
 
-namespace {
-
-// Purposes of the random numbers at one hit. Quads have children of their own from there on.
-enum Dimension : std::uint32_t { allocation = 0, first_target = 16 };
-constexpr std::uint32_t first_quad = 1024;
-
-}  // namespace
-
-/// A hit that is being solved.
-struct GenericSolver::Visit {
-  const Hit& hit;
-  const materials::BoundMaterial& material;
-  const materials::SolverSettings& settings;
-  Frame frame;    // about the normal
-  Vec3 wo;        // towards the ray that asked, local
-  double weight;  // of that ray
-  int generation;
-  Sampler sampler;
-
-  Visit(const LitScene& scene, const Ray& ray, const Hit& at, double ray_weight, int g,
-        const Sampler& numbers)
-      : hit{at},
-        material{scene.material(at)},
-        settings{scene.settings(at)},
-        frame{frame_about(at.normal)},
-        wo{frame.to_local(-ray.direction)},
-        weight{ray_weight},
-        generation{g},
-        sampler{numbers} {}
-
-  /// What the surface does with light from a direction (local), for unit reflectance: f cos.
-  [[nodiscard]] double reflected(Vec3 wi) const {
-    return materials::eval(material.scattering, wi, wo) * wi.z;
+GenericSolver::GenericSolver(const LitScene& scene) : scene_{&scene} {
+  int bounces = 0;
+  for (std::size_t i = 0; i < scene.description().materials.size(); ++i) {
+    const GenericPlan& plan = scene.plan(static_cast<std::uint32_t>(i));
+    bounces = std::max(bounces, plan.settings().max_bounces);
+    if (plan.importance()) {
+      row_ = std::max(row_, static_cast<std::size_t>(plan.importance()->quads()));
+    }
   }
-  /// The same with the weights that the thresholds look at.
-  [[nodiscard]] Sample sample(Vec3 wi) const {
-    const double shape = materials::eval(material.scattering, wi, wo);
-    const double reflectance =
-        std::numbers::pi * shape * static_cast<double>(material.max_reflectance);
-    return {shape * wi.z, reflectance, weight * reflectance * wi.z};
-  }
-  [[nodiscard]] Ray leaving(Vec3 direction) const {
-    return {geometry::leaving_origin(hit, direction), direction};
-  }
-};
+  importance_.resize(row_ * static_cast<std::size_t>(bounces + 1));
+}
 
 Spectrum GenericSolver::surface_radiance(const Ray& ray, const Hit& hit, const Sampler& sampler,
                                          double ray_weight) {
-  const Visit visit{*scene_, ray, hit, ray_weight, 0, sampler};
-  return scene_->self_emission(hit) + scattered_radiance(visit);
+  const SurfacePoint point{*scene_, ray, hit};
+  Spectrum radiance = scattered_radiance(Visit{*scene_, point, ray_weight, 0, sampler});
+  return radiance += emission(*scene_, point);
 }
 
 Spectrum GenericSolver::aperture_radiance(const Ray& ray, const std::optional<Hit>& hit,
                                           const Sampler& sampler) {
   ++counters_.primary_rays;
-  if (!hit) return scene_->air().sky(ray.direction);
-  const atmosphere::PathTerms path = scene_->air().path(-ray.direction, hit->distance);
-  return surface_radiance(ray, *hit, sampler) * path.transmittance + path.radiance;
+  SpectrumSum sum{scene_->lanes().count()};
+  Arrival arrival{Spectrum{scene_->lanes().count(), 1.0F}};
+  arrival.lights.seen = true;
+  if (hit) {
+    const atmosphere::PathTerms path = scene_->air().path(-ray.direction, hit->distance);
+    sum.add(path.radiance);
+    arrival.factor = path.transmittance;
+  }
+  receive(ray, hit, arrival, sampler, sum);
+  return sum.spectrum();
 }
 
 Spectrum GenericSolver::scattered_radiance(const Visit& visit) {
+  SpectrumSum sum{scene_->lanes().count()};
   if (visit.weight < thresholds::current_weight) {
     ++counters_.current_weight_stops;
-    return Spectrum{scene_->lanes().count()};
+    return sum.spectrum();
   }
-  SpectrumSum sum{scene_->lanes().count()};
-  const int targets_sampled = add_targets(visit, sum);
-  add_background(visit, targets_sampled, sum);
-  return sum.spectrum() * visit.material.reflectance;
+  // How many lobe samples there will be decides how lights share with them; that they come out of
+  // one budget with the rays to the lights is settled by what each of those would cost.
+  const int all = full_samples(visit);
+  const int rays_to_lights =
+      static_cast<int>(scene_->targets().size()) + (scene_->lamps().empty() ? 0 : 1);
+  const int lobe_samples =
+      visit.by_lobes() ? std::max(all - rays_to_lights, visit.plan.settings().min_quad_samples) : 0;
+  const int spent = add_targets(visit, lobe_samples, sum) + add_lamp(visit, lobe_samples, sum);
+  const int budget = std::max(0, all - spent);
+  if (budget == 0 && all > 0) ++counters_.budget_stops;
+  if (visit.by_lobes()) {
+    add_lobes(visit, lobe_samples, std::min(budget, lobe_samples), sum);
+  } else {
+    add_quads(visit, budget, sum);
+  }
+  return sum.spectrum();
 }
 
-// The sums below leave out the material's reflectance: it is the same for all their terms.
+int GenericSolver::full_samples(const Visit& visit) {
+  const materials::SolverSettings& settings = visit.plan.settings();
+  if (visit.generation >= settings.max_bounces) {
+    ++counters_.bounce_limit_stops;
+    return 0;
+  }
+  return full_sample_count(settings.initial_sample_count, settings.sample_decay_rate,
+                           visit.generation);
+}
 
-int GenericSolver::add_targets(const Visit& visit, SpectrumSum& sum) {
+// ---- lights -----------------------------------------------------------------------------------
+
+int GenericSolver::add_targets(const Visit& visit, int lobe_samples, SpectrumSum& sum) {
   int sampled = 0;
   std::uint32_t number = first_target;
   for (const Target& target : scene_->targets()) {
-    const Vec3 direction = direction_in_disc(target, visit.sampler.point(number++));
-    const Vec3 wi = visit.frame.to_local(direction);
-    if (direction.z <= 0.0 || wi.z <= 0.0) continue;  // set behind the horizon or the surface
-    const Sample sample = visit.sample(wi);
+    const Sampler shadow = visit.sampler.child(number);
+    const Vec3 towards = direction_in_disc(target, visit.sampler.point(number++));
+    if (towards.z <= 0.0) continue;  // set behind the horizon
+    const Vec3 wi = visit.point.to_local(towards);
+    Sample sample{visit, towards, wi};
+    if (!sample.possible) continue;
     if (sample.weight < thresholds::target_weight) {
       ++counters_.target_weight_skips;
       continue;
     }
     ++sampled;
     ++counters_.target_rays;
-    if (scene_->geometry().occluded(visit.leaving(direction))) continue;
-    sum.add(target.irradiance, sample.reflected);
+    sample.factor *= target.irradiance;
+    if (!passes(*scene_, visit.point.leaving(towards), shadow, sample.factor)) continue;
+    sum.add(sample.factor,
+            1.0 / (1.0 + lobe_samples * lobe_density(visit, wi) * target.solid_angle));
   }
   return sampled;
 }
 
-void GenericSolver::add_background(const Visit& visit, int targets_sampled, SpectrumSum& sum) {
-  const materials::SolverSettings& settings = visit.settings;
-  const QuadHemisphere quads{settings.mu_samples, settings.phi_samples};
-  int budget = 0;
-  if (visit.generation < settings.max_bounces) {
-    const int all = full_sample_count(settings.initial_sample_count, settings.sample_decay_rate,
-                                      visit.generation);
-    budget = std::max(0, all - targets_sampled);
-    if (budget == 0 && all > 0) ++counters_.budget_stops;
-  } else {
-    ++counters_.bounce_limit_stops;
+int GenericSolver::add_lamp(const Visit& visit, int lobe_samples, SpectrumSum& sum) {
+  if (scene_->lamps().empty()) return 0;
+  const auto lamp = scene_->lamps().sample(visit.point.hit().position, visit.point.lit_normal(),
+                                           visit.sampler.number(Dimension::lamp_choice),
+                                           visit.sampler.point(Dimension::lamp_place));
+  if (!lamp) return 0;
+  const Vec3 wi = visit.point.to_local(lamp->direction);
+  Sample sample{visit, lamp->direction, wi};
+  if (!sample.possible) return 0;
+  if (sample.weight < thresholds::target_weight) {
+    ++counters_.target_weight_skips;
+    return 0;
   }
+  ++counters_.lamp_rays;
+  sample.factor *= lamp->irradiance;
+  const Ray ray =
+      ray_to_lamp(visit.point.leaving(lamp->direction).origin, visit.point.hit().position, *lamp);
+  if (passes(*scene_, ray, visit.sampler.child(Dimension::lamp_choice), sample.factor)) {
+    const double other = lobe_samples * lobe_density(visit, wi);
+    sum.add(sample.factor, lamp->pdf > 0.0 ? lamp->pdf / (lamp->pdf + other) : 1.0);
+  }
+  return 1;
+}
+
+double GenericSolver::lobe_density(const Visit& visit, Vec3 wi) {
+  if (!visit.by_lobes()) return 0.0;
+  return materials::pdf(visit.point.material().scattering, wi, visit.point.wo());
+}
+
+// ---- the hemisphere of quads ------------------------------------------------------------------
+
+void GenericSolver::add_quads(const Visit& visit, int budget, SpectrumSum& sum) {
+  const ImportanceTable& table = *visit.plan.importance();
+  const int quads = table.quads();
   if (budget == 0) {  // the top-up alone: nothing to deal out
-    for (int quad = 0; quad < quads.count(); ++quad) add_quad(visit, quad, {0, 0.0}, sum);
+    if (visit.plan.settings().min_quad_samples == 0) return;
+    for (int quad = 0; quad < quads; ++quad) add_quad(visit, quad, {0, 0.0}, sum);
     return;
   }
-  // Importance of a quad: what it would reflect of a uniform sky, from its centre.
-  const auto importance = [&](int quad) { return visit.reflected(quads.centre(quad)); };
+  double* const importance = &importance_[row_ * static_cast<std::size_t>(visit.generation)];
+  table.importance(visit.point.wo(), importance);
   double total = 0.0;
-  for (int quad = 0; quad < quads.count(); ++quad) total += importance(quad);
+  for (int quad = 0; quad < quads; ++quad) total += importance[quad];
   SystematicAllocation allocation{budget, total, visit.sampler.number(Dimension::allocation)};
-  for (int quad = 0; quad < quads.count(); ++quad) {
-    add_quad(visit, quad, allocation.next(importance(quad)), sum);
+  for (int quad = 0; quad < quads; ++quad) {
+    add_quad(visit, quad, allocation.next(importance[quad]), sum);
   }
 }
 
@@ -154,30 +178,110 @@ GenericSolver::Kind GenericSolver::admitted(const Sample& sample, bool full) {
 
 void GenericSolver::add_quad(const Visit& visit, int quad, const SystematicAllocation::Share& share,
                              SpectrumSum& sum) {
-  const QuadHemisphere quads{visit.settings.mu_samples, visit.settings.phi_samples};
-  const int count = std::max(share.count, visit.settings.min_quad_samples);
+  const QuadHemisphere& quads = visit.plan.quads();
+  const int minimum = visit.plan.settings().min_quad_samples;
+  const int count = std::max(share.count, minimum);
   if (count == 0) return;
   const double scattered_share = share.expected > 0.0 ? quads.solid_angle() / share.expected : 0.0;
   // Without a guaranteed minimum the direct part, too, must be weighed by the expected number.
-  const double direct_share =
-      visit.settings.min_quad_samples > 0 ? quads.solid_angle() / count : scattered_share;
+  const double direct_share = minimum > 0 ? quads.solid_angle() / count : scattered_share;
   const Sampler numbers = visit.sampler.child(first_quad + static_cast<std::uint32_t>(quad));
   for (int n = 0; n < count; ++n) {
     const auto branch = static_cast<std::uint32_t>(n);
-    const Vec3 wi = quads.direction(quad, numbers.point(branch));
-    const Sample sample = visit.sample(wi);
+    const Vec3 wi = visit.turn(quads.direction(quad, numbers.point(branch)));
+    const Vec3 towards = visit.point.to_scene(wi);
+    const Sample sample{visit, towards, wi};
+    if (!sample.possible) continue;
     const Kind kind = admitted(sample, n < share.count);
     if (kind == Kind::none) continue;
-    const Ray ray = visit.leaving(visit.frame.to_world(wi));
-    const auto hit = scene_->geometry().intersect(ray);
-    sum.add(hit ? scene_->self_emission(*hit) : scene_->air().sky(ray.direction),
-            direct_share * sample.reflected);
-    if (kind == Kind::full && hit) {
-      const Visit next{
-          *scene_, ray, *hit, sample.weight, visit.generation + 1, numbers.child(branch)};
-      sum.add(scattered_radiance(next), scattered_share * sample.reflected);
-    }
+    Arrival arrival{sample.factor, direct_share,  scattered_share,
+                    kind,          sample.weight, visit.generation + 1};
+    gather(visit.point.leaving(towards), arrival, numbers.child(branch), sum);
   }
+}
+
+// ---- lobes narrower than a quad ---------------------------------------------------------------
+
+void GenericSolver::add_lobes(const Visit& visit, int count, int full, SpectrumSum& sum) {
+  const Sampler numbers = visit.sampler.child(first_quad);
+  for (int n = 0; n < count; ++n) {
+    const auto branch = static_cast<std::uint32_t>(n);
+    const Sampler own = numbers.child(branch);
+    const auto drawn =
+        materials::sample(visit.point.material().scattering, visit.point.wo(),
+                          {numbers.number(2 * branch), numbers.point(2 * branch + 1)});
+    if (!drawn) continue;
+    const Vec3 towards = visit.point.to_scene(drawn->wi);
+    if (!visit.point.admits(towards, drawn->wi)) continue;
+    const double weight = largest(drawn->weight);
+    const Kind kind = admitted(Sample{drawn->weight, weight, visit.weight * weight}, n < full);
+    if (kind == Kind::none) continue;
+    Arrival arrival{drawn->weight, 1.0 / count,           full > 0 ? 1.0 / full : 0.0,
+                    kind,          visit.weight * weight, visit.generation + 1};
+    arrival.lights = {true, drawn->delta ? 0.0 : count * drawn->pdf, visit.point.hit().position,
+                      visit.point.lit_normal()};
+    // Shadow rays go straight through sheets, too: behind one lights count as before it.
+    if (drawn->delta && visit.came != nullptr && passes_shadow_rays(visit.point.material()) &&
+        dot(drawn->wi, visit.point.wo()) < -(1.0 - 1e-12)) {
+      arrival.lights = visit.came->lights;
+    }
+    gather(visit.point.leaving(towards), arrival, own, sum);
+  }
+}
+
+// ---- what a ray brings ------------------------------------------------------------------------
+
+void GenericSolver::gather(const Ray& ray, Arrival& arrival, const Sampler& numbers,
+                           SpectrumSum& sum) {
+  receive(ray, scene_->intersect(ray, numbers), arrival, numbers, sum);
+}
+
+void GenericSolver::receive(const Ray& ray, const std::optional<Hit>& hit, Arrival& arrival,
+                            const Sampler& numbers, SpectrumSum& sum) {
+  const double distance = hit ? hit->distance : std::numeric_limits<double>::infinity();
+  if (!scene_->volumes().empty() && scene_->volumes().crossed(ray, distance)) {
+    cross_volumes(ray, distance, arrival, numbers, sum);
+  }
+  if (!hit) {
+    add_sky(ray, arrival, sum);
+    return;
+  }
+  const Spectrum* constant = scene_->constant_emission(hit->material);
+  if (constant != nullptr) sum.add_product(arrival.factor, *constant, arrival.direct_share);
+  if (arrival.lights.seen && !scene_->lamps().empty()) add_lamp_surface(ray, *hit, arrival, sum);
+  if (constant != nullptr && arrival.kind != Kind::full) return;
+  const SurfacePoint point{*scene_, ray, *hit};
+  if (constant == nullptr) {
+    sum.add_product(arrival.factor, emission(*scene_, point), arrival.direct_share);
+  }
+  if (arrival.kind != Kind::full) return;
+  Visit next{*scene_, point, arrival.weight, arrival.generation, numbers};
+  next.came = &arrival;
+  sum.add_product(arrival.factor, scattered_radiance(next), arrival.scattered_share);
+}
+
+void GenericSolver::add_sky(const Ray& ray, const Arrival& arrival, SpectrumSum& sum) const {
+  sum.add_product(arrival.factor, scene_->air().sky(ray.direction), arrival.direct_share);
+  if (!arrival.lights.seen) return;
+  for (const Target& target : scene_->targets()) {
+    if (!target.covers(ray.direction)) continue;
+    const double density = arrival.lights.density;
+    const double share = density > 0.0 ? density / (density + 1.0 / target.solid_angle) : 1.0;
+    sum.add_product(arrival.factor, target.radiance, share * arrival.direct_share);
+  }
+}
+
+void GenericSolver::add_lamp_surface(const Ray& ray, const Hit& hit, const Arrival& arrival,
+                                     SpectrumSum& sum) const {
+  const auto lamp = scene_->lamps().radiance(ray, hit);
+  if (!lamp) return;
+  double share = 1.0;
+  if (arrival.lights.density > 0.0) {
+    const LightsAlong& from = arrival.lights;
+    const double other = scene_->lamps().pdf(from.origin, from.normal, ray, hit);
+    share = from.density / (from.density + other);
+  }
+  sum.add_product(arrival.factor, *lamp, share * arrival.direct_share);
 }
 
 }  // namespace nadir::radiometry

@@ -1,5 +1,6 @@
 #include "radiometry/lit_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,8 @@ namespace nadir::radiometry {
 namespace {
 
 using spectral::Spectrum;
+
+constexpr std::uint32_t map_choice = 0x6D61;  // purpose of the random number that a map draws with
 
 std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumination,
                                           const atmosphere::BoundAtmosphere& air,
@@ -25,33 +28,53 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
     // a disc of radiance L; directions are drawn uniformly over its solid angle 2 pi (1 - cos r).
     // Their ratio is 1 + 5e-6 for the sun, but 1.17 for a disc of 45 degrees.
     const auto spread = static_cast<float>(2.0 / (1.0 + cos_radius));
-    targets.push_back(
-        {body.direction_enu, sin_radius, cos_radius,
-         spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
-             air.direct_transmittance(body.direction_enu) * spread});
+    const double disc = std::numbers::pi * sin_radius * sin_radius;
+    Spectrum irradiance =
+        spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
+        air.direct_transmittance(body.direction_enu);
+    Spectrum radiance = irradiance * static_cast<float>(1.0 / disc);
+    targets.push_back({body.direction_enu, sin_radius, cos_radius, disc * 2.0 / (1.0 + cos_radius),
+                       irradiance * spread, radiance});
   }
   return targets;
 }
 
 }  // namespace
 
+void resolve_map(const SceneDescription& scene, geometry::Hit& hit, const Sampler& numbers) {
+  if (hit.material < scene.materials.size()) return;
+  const materials::MaterialMap& map = scene.maps[hit.material - scene.materials.size()];
+  const bool draped = map.frame.by == materials::MapFrame::By::ground;
+  const Vec2 place = draped ? Vec2{hit.position.x, hit.position.y} : hit.texture;
+  hit.material = map.at(place, numbers.number(map_choice));
+}
+
 LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics)
     : scene_{&scene},
       lanes_{std::move(lanes)},
       air_{scene.atmosphere, lanes_},
-      targets_{targets_above_horizon(scene.illumination, air_, lanes_)} {
+      targets_{targets_above_horizon(scene.illumination, air_, lanes_)},
+      sky_{air_},
+      volumes_{scene.volumes, lanes_},
+      lamps_{scene.lamps, lanes_} {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const materials::Material& material = scene.materials[i];
-    materials_.push_back(materials::bind(material, lanes_, diagnostics));
-    settings_.push_back(material.solver.value_or(scene.solver));
+    materials_.push_back(materials::bind(scene.materials[i], lanes_, diagnostics));
+    const materials::BoundMaterial& bound = materials_.back();
     const auto& source = std::get<thermal::ConstantTemperature>(scene.temperature.source(i));
-    constant_emission_.push_back(materials_.back().emissivity *
-                                 spectral::planck(lanes_, source.value));
+    black_body_.push_back(spectral::planck(lanes_, source.value));
+    constant_emission_.push_back(bound.own_emissivity * black_body_.back());
+    if (scene.method == Method::generic) {
+      plans_.emplace_back(bound, scene.materials[i].solver.value_or(scene.solver));
+    }
+    has_sheets_ |= std::holds_alternative<materials::BoundClearSheet>(bound.scattering);
   }
 }
 
-Spectrum LitScene::self_emission(const geometry::Hit& hit) const noexcept {
-  return constant_emission_[hit.material];
+std::optional<geometry::Hit> LitScene::intersect(const geometry::Ray& ray,
+                                                 const Sampler& numbers) const {
+  auto hit = scene_->geometry.intersect(ray);
+  if (hit) resolve_map(*scene_, *hit, numbers);
+  return hit;
 }
 
 Vec3 direction_in_disc(const Target& target, Vec2 u) noexcept {

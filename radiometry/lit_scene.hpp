@@ -1,12 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "atmosphere/atmosphere.hpp"
 #include "core/diagnostics.hpp"
+#include "core/sampler.hpp"
 #include "ephemeris/illumination.hpp"
 #include "geometry/scene.hpp"
 #include "materials/bound_material.hpp"
+#include "materials/maps/material_map.hpp"
+#include "radiometry/generic_plan.hpp"
+#include "radiometry/lamps/bound_lamps.hpp"
+#include "radiometry/method.hpp"
+#include "radiometry/sky_distribution.hpp"
+#include "radiometry/volumes/bound_volumes.hpp"
 #include "spectral/lanes.hpp"
 #include "thermal/temperature.hpp"
 
@@ -19,15 +27,31 @@ struct SceneDescription {
   thermal::TemperatureField temperature;
   ephemeris::Illumination illumination;
   atmosphere::Atmosphere atmosphere;
-  materials::SolverSettings solver;  ///< for materials without their own
+  materials::SolverSettings solver;  ///< of the generic solver, for materials without their own
+  std::vector<materials::MaterialMap> maps{};  ///< hits carry materials.size() + index of the map
+  std::vector<Volume> volumes{};
+  std::vector<Lamp> lamps{};
+  Method method = Method::generic;
+  int path_max_bounces = 0;  ///< of the path solver; 0: no limit, and no bias
 };
+
+/// The material at a hit whose surface carries a map is drawn from the map: afterwards
+/// hit.material is an index of `scene.materials`.
+void resolve_map(const SceneDescription& scene, geometry::Hit& hit, const Sampler& numbers);
 
 /// A body at the wavelengths of a block: its light as it reaches a surface.
 struct Target {
   Vec3 direction;           ///< unit, towards the disc's centre, scene axes
   double sin_radius = 0.0;  ///< of the angular radius
   double cos_radius = 1.0;
+  double solid_angle = 0.0;       ///< of the whole disc, sr
   spectral::Spectrum irradiance;  ///< at the surface: disc radiance times solid angle, W m^-2 um^-1
+  spectral::Spectrum radiance;    ///< of the disc, through the air, W m^-2 sr^-1 um^-1
+
+  /// Whether a unit direction meets the part of the disc that is above the horizon.
+  [[nodiscard]] bool covers(Vec3 towards) const noexcept {
+    return dot(towards, direction) >= cos_radius && towards.z > 0.0;
+  }
 };
 
 /// A scene at the wavelengths of one block of lanes: what the solvers look up, immutable.
@@ -36,28 +60,53 @@ class LitScene {
   /// @throws InputError where a spectrum does not serve the lanes
   LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics);
 
+  [[nodiscard]] const SceneDescription& description() const noexcept { return *scene_; }
   [[nodiscard]] const geometry::Scene& geometry() const noexcept { return scene_->geometry; }
   [[nodiscard]] const spectral::Lanes& lanes() const noexcept { return lanes_; }
   [[nodiscard]] const atmosphere::BoundAtmosphere& air() const noexcept { return air_; }
+  [[nodiscard]] const BoundVolumes& volumes() const noexcept { return volumes_; }
+  [[nodiscard]] const BoundLamps& lamps() const noexcept { return lamps_; }
+  [[nodiscard]] const SkyDistribution& sky_distribution() const noexcept { return sky_; }
   /// Bodies with any part of their disc above the scene's horizontal plane.
   [[nodiscard]] const std::vector<Target>& targets() const noexcept { return targets_; }
-  [[nodiscard]] const materials::BoundMaterial& material(const geometry::Hit& hit) const noexcept {
-    return materials_[hit.material];
+  [[nodiscard]] const materials::BoundMaterial& material(std::uint32_t index) const noexcept {
+    return materials_[index];
   }
-  [[nodiscard]] const materials::SolverSettings& settings(const geometry::Hit& hit) const noexcept {
-    return settings_[hit.material];
+  [[nodiscard]] const spectral::Spectrum& black_body(std::uint32_t material) const noexcept {
+    return black_body_[material];
   }
-  /// Emitted radiance eps(lambda) B(lambda, T) at a hit; 0 where T is 0 K.
-  [[nodiscard]] spectral::Spectrum self_emission(const geometry::Hit& hit) const noexcept;
+  /// What a surface emits in all directions alike; null where it depends on the direction.
+  [[nodiscard]] const spectral::Spectrum* constant_emission(std::uint32_t material) const noexcept {
+    return materials_[material].constant_emissivity ? &constant_emission_[material] : nullptr;
+  }
+  /// Bumps of a material's surface, or null.
+  [[nodiscard]] const materials::ReliefMap* relief(std::uint32_t material) const noexcept {
+    return scene_->materials[material].relief.get();
+  }
+  /// What the generic solver needs to know of a material.
+  [[nodiscard]] const GenericPlan& plan(std::uint32_t material) const noexcept {
+    return plans_[material];
+  }
+  /// Some material lets light straight through: shadow rays must ask what they meet.
+  [[nodiscard]] bool has_sheets() const noexcept { return has_sheets_; }
+
+  /// The first surface along the ray, its material drawn where a map says which.
+  [[nodiscard]] std::optional<geometry::Hit> intersect(const geometry::Ray& ray,
+                                                       const Sampler& numbers) const;
 
  private:
   const SceneDescription* scene_;
   spectral::Lanes lanes_;
   atmosphere::BoundAtmosphere air_;
   std::vector<Target> targets_;
+  SkyDistribution sky_;
+  BoundVolumes volumes_;
+  BoundLamps lamps_;
   std::vector<materials::BoundMaterial> materials_;
-  std::vector<materials::SolverSettings> settings_;
-  std::vector<spectral::Spectrum> constant_emission_;  // by material: Planck costs several rays
+  std::vector<spectral::Spectrum> black_body_;         // by material: Planck costs several rays
+  std::vector<spectral::Spectrum> constant_emission_;  // by material
+  std::vector<GenericPlan> plans_;                     // by material, for the generic solver only
+  bool has_sheets_ = false;
 };
 
 /// A direction drawn uniformly over the target's disc (by solid angle), scene axes.

@@ -132,6 +132,12 @@ class SpectrumSum {
       values_[i] += weight * static_cast<double>(s.values_[i]);
     }
   }
+  void add_product(const Spectrum& a, const Spectrum& b, double weight) noexcept {
+    assert(a.count() == count_ && b.count() == count_);
+    for (std::size_t i = 0, n = static_cast<std::size_t>(count_); i < n; ++i) {
+      values_[i] += weight * static_cast<double>(a.values_[i]) * static_cast<double>(b.values_[i]);
+    }
+  }
   [[nodiscard]] int count() const noexcept { return count_; }
   [[nodiscard]] double operator[](int lane) const noexcept {
     return values_[static_cast<std::size_t>(lane)];

@@ -13,7 +13,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from library import atmosphere, illumination, responses, surfaces  # noqa: E402
+from library import atmosphere, illumination, optics, responses, surfaces  # noqa: E402
 
 
 def main() -> int:
@@ -25,6 +25,7 @@ def main() -> int:
     if not (options.reference_dir / "surfaces_manmade" / "index.csv").is_file():
         parser.error(f"{options.reference_dir} holds no surfaces_manmade/index.csv")
     surfaces.write(options.reference_dir, options.output)
+    optics.write(options.reference_dir, options.output)
     responses.write(options.reference_dir, options.output)
     solar = illumination.write(options.reference_dir, options.output)
     atmosphere.write(options.reference_dir, options.output, solar)

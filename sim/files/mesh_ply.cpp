@@ -97,6 +97,25 @@ class BinarySource {
   bool swap_;
 };
 
+bool has_property(const Element& element, std::string_view name, bool list) {
+  return std::any_of(element.properties.begin(), element.properties.end(), [&](const Property& p) {
+    return p.name == name && p.list_count.has_value() == list;
+  });
+}
+
+/// What a file calls its texture coordinates.
+struct TextureNames {
+  std::string_view u, v;
+};
+
+std::optional<TextureNames> texture_names(const Element& vertex) {
+  for (const TextureNames& names :
+       {TextureNames{"s", "t"}, TextureNames{"u", "v"}, TextureNames{"texture_u", "texture_v"}}) {
+    if (has_property(vertex, names.u, false) && has_property(vertex, names.v, false)) return names;
+  }
+  return std::nullopt;
+}
+
 /// The file ends before its header says.
 struct Truncated {};
 
@@ -108,7 +127,9 @@ class BodyReader {
 
   geometry::TriangleMesh read() {
     for (const Element& element : header_->elements) {
-      if (element.name == "vertex") vertices_ = element.count;
+      if (element.name != "vertex") continue;
+      vertices_ = element.count;
+      texture_names_ = texture_names(element);
     }
     mesh_.part_names = {"default"};
     try {
@@ -127,28 +148,37 @@ class BodyReader {
     if (element.properties.empty()) return;
     for (std::uint64_t row = 0; row < element.count; ++row) {
       Vec3 position;
+      Vec2 texture;
       for (const Property& property : element.properties) {
         where_ = {&element, &property, row};
         if (element.name == "vertex") {
-          read_vertex_property(property, position);
+          read_vertex_property(property, position, texture);
         } else {
           read_property(property, element.name == "face");
         }
       }
-      if (element.name == "vertex") mesh_.positions.push_back(position);
+      if (element.name != "vertex") continue;
+      mesh_.positions.push_back(position);
+      if (texture_names_) mesh_.texture.push_back(texture);
     }
   }
 
-  void read_vertex_property(const Property& property, Vec3& position) {
+  void read_vertex_property(const Property& property, Vec3& position, Vec2& texture) {
     if (property.list_count) return read_property(property, false);
     const double value = number(property.type);
     double* const target = property.name == "x"   ? &position.x
                            : property.name == "y" ? &position.y
                            : property.name == "z" ? &position.z
-                                                  : nullptr;
+                                                  : texture_target(property.name, texture);
     if (!target) return;
     *target = value;
     if (!std::isfinite(value)) complain("expected a finite coordinate " + property.name);
+  }
+
+  double* texture_target(const std::string& name, Vec2& texture) const {
+    if (!texture_names_) return nullptr;
+    if (name == texture_names_->u) return &texture.x;
+    return name == texture_names_->v ? &texture.y : nullptr;
   }
 
   void read_property(const Property& property, bool of_face) {
@@ -214,17 +244,12 @@ class BodyReader {
   const Header* header_;
   FileIssues* issues_;
   std::uint64_t vertices_ = 0;
+  std::optional<TextureNames> texture_names_;
   Where where_;
   std::vector<std::uint32_t> polygon_;
   bool polygon_good_ = true;
   geometry::TriangleMesh mesh_;
 };
-
-bool has_property(const Element& element, std::string_view name, bool list) {
-  return std::any_of(element.properties.begin(), element.properties.end(), [&](const Property& p) {
-    return p.name == name && p.list_count.has_value() == list;
-  });
-}
 
 void check_elements(const Header& header, FileIssues& issues) {
   bool vertices = false, faces = false;

@@ -11,7 +11,8 @@ namespace nadir::sim {
 /// The polygons of a PLY file, in the file's own axes and unit (taken as metres).
 ///
 /// ASCII, binary little endian and binary big endian, version 1.0; `x`, `y`, `z` of the element
-/// `vertex` in any scalar type, `vertex_indices` or `vertex_index` of the element `face` in any
+/// `vertex` in any scalar type, texture coordinates as `s`, `t`, as `u`, `v` or as `texture_u`,
+/// `texture_v` of the vertices, `vertex_indices` or `vertex_index` of the element `face` in any
 /// integer types. Polygons are cut as fans. Other elements and properties are passed over. The one
 /// part is named "default".
 /// Source of the format: G. Turk, "The PLY Polygon File Format" (1994).

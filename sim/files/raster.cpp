@@ -55,7 +55,25 @@ Raster read_raster(const std::filesystem::path& file, int band) {
           from.bands,
           {from.values, from.values + lent.size()},
           from.has_geotransform != 0,
-          from.has_projection != 0};
+          from.has_projection != 0,
+          from.full_scale};
+}
+
+std::vector<geometry::Geodetic> locate_in_raster(const std::filesystem::path& file,
+                                                 const std::vector<Vec2>& pixels) {
+  std::vector<double> x, y;
+  for (const Vec2& pixel : pixels) {
+    x.push_back(pixel.x);
+    y.push_back(pixel.y);
+  }
+  std::array<char, 1024> message{};
+  if (raster_module().locate(file.c_str(), static_cast<int>(pixels.size()), x.data(), y.data(),
+                             message.data(), message.size()) != 0) {
+    throw InputError{InputIssue{{file.string(), 0, 0}, message.data(), {}, {}}};
+  }
+  std::vector<geometry::Geodetic> places;
+  for (std::size_t i = 0; i < x.size(); ++i) places.push_back({y[i], x[i], 0.0});
+  return places;
 }
 
 geometry::HeightGrid read_height_grid(const std::filesystem::path& file, double height_offset_m,

@@ -14,6 +14,7 @@ struct Raster {
   std::vector<double> values;  ///< row-major, first row first; NaN where the file has no value
   bool has_geotransform = false;
   bool has_projection = false;
+  double full_scale = 0.0;  ///< largest value of an unsigned whole-number type; 0 for others
 };
 
 /// WGS84 bounds; `west_deg` may exceed `east_deg` where they cross the date line.
@@ -26,6 +27,12 @@ struct GeodeticBounds {
 /// @throws InputError with GDAL's words for a file that cannot be read, std::runtime_error without
 ///         the module
 [[nodiscard]] Raster read_raster(const std::filesystem::path& file, int band = 1);
+
+/// WGS84 latitude and longitude of places in a raster, in pixels: (0.5, 0.5) is the centre of the
+/// first. NaN where the raster's coordinate system has no conversion. Heights are 0.
+/// @throws InputError naming what is missing: coordinate system or geotransform
+[[nodiscard]] std::vector<geometry::Geodetic> locate_in_raster(const std::filesystem::path& file,
+                                                               const std::vector<Vec2>& pixels);
 
 /// The first band as heights in metres, posts at the pixel centres, taken to WGS84 from the
 /// raster's own coordinate system.

@@ -14,6 +14,17 @@ using spectrum_format::entry_of;
 using spectrum_format::in_quotes;
 using spectrum_format::joined;
 
+namespace {
+
+/// n and k of a complex refractive index share a file.
+SpectrumQuantity quantity_of(SpectrumQuantity file, const std::string& column) {
+  return file == SpectrumQuantity::refractive_index && column == "k"
+             ? SpectrumQuantity::extinction_coefficient
+             : file;
+}
+
+}  // namespace
+
 std::string_view name_of(SpectrumQuantity quantity) noexcept { return entry_of(quantity).name; }
 std::string_view unit_of(SpectrumQuantity quantity) noexcept { return entry_of(quantity).unit; }
 
@@ -52,18 +63,26 @@ SpectrumFile read_spectrum_file(const std::filesystem::path& path,
   return parse_spectrum(std::move(text).str(), path.string(), plain_as);
 }
 
-spectral::Curve read_curve(const std::filesystem::path& path, const std::string& column,
-                           SpectrumQuantity expected, spectral::Outside outside) {
-  const SpectrumFile file = read_spectrum_file(path, expected);
-  if (file.quantity && *file.quantity != expected) {
+spectral::Curve curve_in(const SpectrumFile& file, const std::string& column,
+                         SpectrumQuantity expected, spectral::Outside outside) {
+  const SpectrumColumn& chosen = file.column(column);
+  if (!file.quantity) return {chosen.wavelength_um, chosen.value, outside};
+  const SpectrumQuantity found = quantity_of(*file.quantity, chosen.name);
+  if (found != expected) {
+    const std::string holder =
+        found == *file.quantity ? "the file" : "column " + in_quotes(chosen.name);
     throw InputError{InputIssue{{file.path, 0, 0},
-                                "the file holds " + std::string{name_of(*file.quantity)} +
-                                    "; expected " + std::string{name_of(expected)},
+                                holder + " holds " + std::string{name_of(found)} + "; expected " +
+                                    std::string{name_of(expected)},
                                 {},
                                 {}}};
   }
-  const SpectrumColumn& chosen = file.column(column);
   return {chosen.wavelength_um, chosen.value, outside};
+}
+
+spectral::Curve read_curve(const std::filesystem::path& path, const std::string& column,
+                           SpectrumQuantity expected, spectral::Outside outside) {
+  return curve_in(read_spectrum_file(path, expected), column, expected, outside);
 }
 
 SpectrumReference parse_spectrum_reference(const std::string& text) {

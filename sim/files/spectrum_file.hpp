@@ -12,12 +12,17 @@ namespace nadir::sim {
 
 /// What a spectrum file tabulates; it fixes the unit and the range of the values.
 enum class SpectrumQuantity {
-  reflectance,    ///< directional-hemispherical, 1, in [0, 1]
-  emissivity,     ///< 1, in [0, 1]
-  transmittance,  ///< 1, in [0, 1]
-  response,       ///< relative, 1, >= 0
-  irradiance,     ///< W m^-2 um^-1, >= 0
-  radiance,       ///< W m^-2 sr^-1 um^-1, >= 0
+  reflectance,             ///< directional-hemispherical, 1, in [0, 1]
+  emissivity,              ///< 1, in [0, 1]
+  transmittance,           ///< 1, in [0, 1]
+  response,                ///< relative, 1, >= 0
+  irradiance,              ///< W m^-2 um^-1, >= 0
+  radiance,                ///< W m^-2 sr^-1 um^-1, >= 0
+  refractive_index,        ///< real part n, 1, >= 0; the column `k` of such a file is the one below
+  extinction_coefficient,  ///< imaginary part k of the refractive index, 1, >= 0
+  attenuation,             ///< absorption or scattering coefficient of a volume, 1/m, >= 0
+  parameter,               ///< of a scattering model, 1, any
+  flux,                    ///< of a lamp in all directions together, W um^-1, >= 0
 };
 
 /// The quantity's name in files, such as "reflectance".
@@ -61,13 +66,18 @@ struct SpectrumFile {
 [[nodiscard]] SpectrumFile read_spectrum_file(
     const std::filesystem::path& path, std::optional<SpectrumQuantity> plain_as = std::nullopt);
 
-/// One column of a file as a curve.
+/// One column of a file as a curve. In a file of refractive_index the column `k` holds the
+/// extinction coefficient, all others the real part: `gold.csv#n`, `gold.csv#k`.
 /// @param column   its name; empty if the file has only one
-/// @param expected what the caller needs: a file that says it holds something else is an error
+/// @param expected what the caller needs: a file or column that holds something else is an error
 /// @throws InputError
 [[nodiscard]] spectral::Curve read_curve(const std::filesystem::path& path,
                                          const std::string& column, SpectrumQuantity expected,
                                          spectral::Outside outside);
+
+/// The same from a file that was read.
+[[nodiscard]] spectral::Curve curve_in(const SpectrumFile& file, const std::string& column,
+                                       SpectrumQuantity expected, spectral::Outside outside);
 
 /// `file.csv#column`, as attributes name a column; the column is empty without a `#`.
 struct SpectrumReference {

@@ -18,13 +18,18 @@ struct QuantityEntry {
   std::string_view unit;
   bool at_most_one;
 };
-inline constexpr std::array<QuantityEntry, 6> quantity_table{{
+inline constexpr std::array<QuantityEntry, 11> quantity_table{{
     {SpectrumQuantity::reflectance, "reflectance", "1", true},
     {SpectrumQuantity::emissivity, "emissivity", "1", true},
     {SpectrumQuantity::transmittance, "transmittance", "1", true},
     {SpectrumQuantity::response, "response", "1", false},
     {SpectrumQuantity::irradiance, "irradiance", "W m^-2 um^-1", false},
     {SpectrumQuantity::radiance, "radiance", "W m^-2 sr^-1 um^-1", false},
+    {SpectrumQuantity::refractive_index, "refractive_index", "1", false},
+    {SpectrumQuantity::extinction_coefficient, "extinction_coefficient", "1", false},
+    {SpectrumQuantity::attenuation, "attenuation", "m^-1", false},
+    {SpectrumQuantity::parameter, "parameter", "1", false},
+    {SpectrumQuantity::flux, "flux", "W um^-1", false},
 }};
 
 inline const QuantityEntry& entry_of(SpectrumQuantity quantity) noexcept {

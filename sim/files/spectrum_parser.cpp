@@ -301,7 +301,7 @@ class Parser {
       return std::nullopt;
     }
     const std::optional<SpectrumQuantity> checked = plain_ ? plain_as_ : file_.quantity;
-    if (!checked) return value;
+    if (!checked || *checked == SpectrumQuantity::parameter) return value;
     const bool at_most_one = entry_of(*checked).at_most_one;
     if (*value < 0.0 || (at_most_one && *value > 1.0)) {
       add(cell.column, column + " is " + std::string{cell.text} + "; " +

@@ -9,6 +9,7 @@
 #include "sim/files/instance_list.hpp"
 #include "sim/files/raster.hpp"
 #include "sim/run/error_list.hpp"
+#include "sim/run/place.hpp"
 #include "sim/run/read_surface.hpp"
 
 namespace nadir::sim {
@@ -32,7 +33,7 @@ class GeometryReader {
 
   void add_object(const ObjectInput& input, std::uint32_t object) {
     const geometry::Surface surface = read_surface(input.form, *files_);
-    builder_.add(surface, placed(input.placement), object);
+    builder_.add(surface, placed(input.placement, terrain_), object);
   }
 
   void add_instances(const InstancesInput& input, std::uint32_t object) {
@@ -42,13 +43,6 @@ class GeometryReader {
   [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_}; }
 
  private:
-  [[nodiscard]] Affine placed(const PlacementInput& input) const {
-    Placement placement{input.position_m, input.yaw_deg, input.pitch_deg,
-                        input.roll_deg,   input.scale,   0};
-    if (input.on_terrain) placement.position = terrain_.lifted(placement.position);
-    return affine(placement);
-  }
-
   [[nodiscard]] std::vector<Affine> read_list(const InstancesInput& input) {
     std::vector<Affine> placements;
     ErrorList errors;
@@ -68,7 +62,7 @@ class GeometryReader {
                   std::uint32_t object) {
     const std::vector<Affine> placements = flatten(outer, read_list(input));
     for (const ObjectInput& part : input.objects) {
-      const Affine own = placed(part.placement);
+      const Affine own = placed(part.placement, terrain_);
       std::vector<Affine> of_part;
       std::transform(placements.begin(), placements.end(), std::back_inserter(of_part),
                      [&](const Affine& placement) { return placement * own; });

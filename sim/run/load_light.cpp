@@ -57,7 +57,9 @@ atmosphere::Atmosphere air_from(const UniformAir& air, InputFiles& files) {
                              curve(air.solar_transmittance, SpectrumQuantity::transmittance),
                              curve(air.transmittance, SpectrumQuantity::transmittance),
                              curve(air.path_radiance, SpectrumQuantity::radiance),
-                             Kelvin{air.air_temperature_k}};
+                             Kelvin{air.air_temperature_k},
+                             air.overcast ? atmosphere::SkyShape::overcast
+                                          : atmosphere::SkyShape::even};
 }
 
 }  // namespace

@@ -30,16 +30,23 @@ PixelRenderer::PixelRenderer(const ArrayJob& job, const RenderOptions& options,
       spread_(job.array->bands.size()),
       material_votes_(job.scene->materials.size() + 1) {
   for (const radiometry::LitScene& block : job.blocks) {
-    solvers_.emplace_back(block);
+    if (job.scene->method == radiometry::Method::path) {
+      solvers_.emplace_back(radiometry::PathSolver{block});
+    } else {
+      solvers_.emplace_back(radiometry::GenericSolver{block});
+    }
     lane_sums_.emplace_back(block.lanes().count());
   }
 }
 
 radiometry::Counters PixelRenderer::counters() const {
   radiometry::Counters all;
-  for (const auto& solver : solvers_) all += solver.counters();
+  const auto counted = [](const Solver& solver) {
+    return std::visit([](const auto& s) { return s.counters(); }, solver);
+  };
+  for (const Solver& solver : solvers_) all += counted(solver);
   // The blocks of lanes share their primary rays.
-  if (!solvers_.empty()) all.primary_rays = solvers_.front().counters().primary_rays;
+  if (!solvers_.empty()) all.primary_rays = counted(solvers_.front()).primary_rays;
   all.truth_rays += truth_rays_;
   return all;
 }
@@ -69,10 +76,13 @@ void PixelRenderer::render(int sample, int line, ArrayImage& image) {
 }
 
 void PixelRenderer::trace(const geometry::Ray& ray, const Sampler& numbers, TruthSums& truth) {
-  const auto hit = job_->scene->geometry.intersect(ray);
+  auto hit = job_->scene->geometry.intersect(ray);
+  if (hit) radiometry::resolve_map(*job_->scene, *hit, numbers);
   for (std::size_t block = 0; block < solvers_.size(); ++block) {
     // Every block walks the same rays: its random numbers are the same.
-    lane_sums_[block].add(solvers_[block].aperture_radiance(ray, hit, numbers.child(0)));
+    lane_sums_[block].add(std::visit(
+        [&](auto& solver) { return solver.aperture_radiance(ray, hit, numbers.child(0)); },
+        solvers_[block]));
   }
   ++material_votes_[hit ? hit->material + 1 : 0];
   if (hit && options_->truth) add_truth(*hit, truth);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "core/statistics.hpp"
 #include "radiometry/generic_solver.hpp"
+#include "radiometry/path_solver.hpp"
 #include "sim/plan/array_plan.hpp"
 #include "sim/run/image.hpp"
 #include "sim/run/render.hpp"
@@ -44,7 +46,8 @@ class PixelRenderer {
   const ArrayJob* job_;
   const RenderOptions* options_;
   std::uint64_t array_key_;
-  std::vector<radiometry::GenericSolver> solvers_;  // one a block
+  using Solver = std::variant<radiometry::GenericSolver, radiometry::PathSolver>;
+  std::vector<Solver> solvers_;                     // one a block
   std::vector<Welford> spread_;                     // one a band
   std::vector<spectral::SpectrumSum> lane_sums_;    // one a block
   std::vector<std::uint32_t> material_votes_;       // one a material, and the sky first

@@ -16,7 +16,9 @@ namespace {
 ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
   const auto& solver = scenario.solver;
   const auto integer = [](auto value) { return static_cast<std::int64_t>(value); };
-  return {{"solver", std::string{"generic"}},
+  const bool path = scenario.method == radiometry::Method::path;
+  return {{"solver", std::string{path ? "path" : "generic"}},
+          {"path_max_bounces", integer(scenario.path_max_bounces)},
           {"initial_sample_count", integer(solver.initial_sample_count)},
           {"sample_decay_rate", solver.sample_decay_rate},
           {"max_bounces", integer(solver.max_bounces)},
@@ -33,9 +35,13 @@ ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
 std::map<std::string, std::uint64_t> counters_of(const radiometry::Counters& c) {
   return {{"primary_rays", c.primary_rays},
           {"target_rays", c.target_rays},
+          {"lamp_rays", c.lamp_rays},
+          {"path_rays", c.path_rays},
           {"full_samples", c.full_samples},
           {"direct_only_samples", c.direct_only_samples},
           {"truth_rays", c.truth_rays},
+          {"volume_events", c.volume_events},
+          {"roulette_stops", c.roulette_stops},
           {"rays", c.rays()},
           {"current_weight_stops", c.current_weight_stops},
           {"target_weight_skips", c.target_weight_skips},

@@ -24,22 +24,48 @@ void BuildContext::check_unique(const std::vector<const CheckedElement*>& elemen
   }
 }
 
-void MaterialNames::add(const std::string& name, std::size_t offset) {
+void MaterialNames::add(const std::string& name, std::size_t offset) { add(name, offset, false); }
+
+void MaterialNames::add_map(const std::string& name, std::size_t offset) {
+  add(name, offset, true);
+}
+
+void MaterialNames::add(const std::string& name, std::size_t offset, bool is_map) {
   complete_ &= !name.empty();
   index_.emplace(name, static_cast<int>(entries_.size()));
-  entries_.push_back({name, offset, false});
+  entries_.push_back({name, offset, false, is_map, is_map ? maps_++ : materials_++});
 }
 
 int MaterialNames::resolve(const BuildContext& context, const CheckedElement& element,
                            const std::string& attribute) {
+  const Entry* entry = find(context, element, attribute);
+  if (entry == nullptr) return 0;
+  return entry->is_map ? material_count_ + entry->number : entry->number;
+}
+
+std::optional<int> MaterialNames::resolve_material(const BuildContext& context,
+                                                   const CheckedElement& element,
+                                                   const std::string& attribute) {
+  const Entry* entry = find(context, element, attribute);
+  if (entry == nullptr) return std::nullopt;
+  if (!entry->is_map) return entry->number;
+  context.mistake(element.where(attribute),
+                  fmt::format("\"{}\" is a map: here only a material will do", entry->name));
+  return std::nullopt;
+}
+
+const MaterialNames::Entry* MaterialNames::find(const BuildContext& context,
+                                                const CheckedElement& element,
+                                                const std::string& attribute) {
   const auto name = element.find<std::string>(attribute);
-  if (!name) return 0;
+  if (!name) return nullptr;
   if (const auto found = index_.find(*name); found != index_.end()) {
-    entries_[static_cast<std::size_t>(found->second)].used = true;
-    return found->second;
+    Entry& entry = entries_[static_cast<std::size_t>(found->second)];
+    entry.used = true;
+    return &entry;
   }
   // After a material whose name was refused nobody knows which names are missing.
-  if (!complete_) return 0;
+  if (!complete_) return nullptr;
   std::vector<std::string> declared;
   for (const Entry& entry : entries_) declared.push_back(entry.name);
   std::string hint = suggestion(*name, declared);
@@ -50,7 +76,7 @@ int MaterialNames::resolve(const BuildContext& context, const CheckedElement& el
   }
   context.mistake(element.where(attribute),
                   fmt::format("material \"{}\" is not declared in <materials>", *name), hint);
-  return 0;
+  return nullptr;
 }
 
 void MaterialNames::warn_of_unused(const BuildContext& context) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,15 @@ class MaterialNames {
  public:
   /// @param name  empty where it was refused
   void add(const std::string& name, std::size_t offset);
-  /// Index of the material that the element's attribute names. An unknown name is a mistake.
+  /// Names a map of materials; maps are numbered after all materials, in the order of these calls.
+  void add_map(const std::string& name, std::size_t offset);
+  /// How many materials there are, those that contrast maps add included.
+  void set_material_count(std::size_t count) { material_count_ = static_cast<int>(count); }
+  /// The same as `resolve` where a map will not do; nothing after a mistake.
+  [[nodiscard]] std::optional<int> resolve_material(const BuildContext& context,
+                                                    const CheckedElement& element,
+                                                    const std::string& attribute = "material");
+  /// Index of the material or map that the element's attribute names. An unknown name is a mistake.
   [[nodiscard]] int resolve(const BuildContext& context, const CheckedElement& element,
                             const std::string& attribute = "material");
   /// Names in the libraries, for the hint where a material was not declared.
@@ -48,10 +57,17 @@ class MaterialNames {
     std::string name;
     std::size_t offset = 0;
     bool used = false;
+    bool is_map = false;
+    int number = 0;  // among the materials or among the maps
   };
+  void add(const std::string& name, std::size_t offset, bool is_map);
+  [[nodiscard]] const Entry* find(const BuildContext& context, const CheckedElement& element,
+                                  const std::string& attribute);
+
   std::vector<Entry> entries_;
   std::map<std::string, int> index_;
   std::vector<std::string> library_names_;
+  int materials_ = 0, maps_ = 0, material_count_ = 0;
   bool complete_ = true;
 };
 
@@ -68,6 +84,20 @@ void build_time(const BuildContext& context, const CheckedElement& root, Scenari
                                             const CheckedElement& element, Scenario& scenario);
 void build_geometry(const BuildContext& context, const CheckedElement& element,
                     MaterialNames& materials, Scenario& scenario);
+/// After the geometry, whose terrain lamps may stand on.
+void build_lamps(const BuildContext& context, const CheckedElement& root, MaterialNames& materials,
+                 Scenario& scenario);
+/// What geometry and volumes have in common. on_terrain without a terrain is a mistake.
+[[nodiscard]] PlacementInput build_placement(const BuildContext& context,
+                                             const CheckedElement& element, bool has_terrain);
+[[nodiscard]] bool build_on_terrain(const BuildContext& context, const CheckedElement& element,
+                                    bool has_terrain);
+[[nodiscard]] geometry::Box build_box(const BuildContext& context, const CheckedElement& element);
+/// Open unless the element says capped.
+[[nodiscard]] geometry::Cylinder build_cylinder(const BuildContext& context,
+                                                const CheckedElement& element);
+void build_volumes(const BuildContext& context, const CheckedElement& element, bool has_terrain,
+                   Scenario& scenario);
 void build_platform(const BuildContext& context, const CheckedElement& element, Scenario& scenario);
 void build_camera(const BuildContext& context, const CheckedElement& element, Scenario& scenario);
 void build_results(const BuildContext& context, const CheckedElement& root, Scenario& scenario);

@@ -18,13 +18,13 @@ class GeometryBuilder {
   }
 
   ObjectInput object(const CheckedElement& element) {
-    return {name_of(element), form(element), placement(element)};
+    return {name_of(element), form(element), build_placement(context_, element, has_terrain_)};
   }
 
   InstancesInput instances(const CheckedElement& element) {
     InstancesInput list{name_of(element),
                         element.value<std::filesystem::path>("list"),
-                        on_terrain(element),
+                        build_on_terrain(context_, element, has_terrain_),
                         {},
                         {}};
     for (const CheckedElement& child : element.children) {
@@ -40,25 +40,6 @@ class GeometryBuilder {
  private:
   static std::string name_of(const CheckedElement& element) {
     return element.find<std::string>("name").value_or(element.type->name);
-  }
-
-  [[nodiscard]] bool on_terrain(const CheckedElement& element) const {
-    const bool on = element.flag("on_terrain");
-    if (on && !has_terrain_) {
-      context_.mistake(element.where("on_terrain"),
-                       fmt::format("<{}> stands on the terrain, but <geometry> has no <terrain>",
-                                   element.type->name));
-    }
-    return on;
-  }
-
-  [[nodiscard]] PlacementInput placement(const CheckedElement& element) const {
-    return {{element.number("east_m"), element.number("north_m"), element.number("up_m")},
-            element.number("yaw_deg"),
-            element.number("pitch_deg"),
-            element.number("roll_deg"),
-            element.find<Vec3>("scale").value_or(Vec3{1.0, 1.0, 1.0}),
-            on_terrain(element)};
   }
 
   FormInput form(const CheckedElement& element) {
@@ -88,8 +69,8 @@ class GeometryBuilder {
     const std::string& kind = element.type->name;
     if (kind == "sphere") return geo::Sphere{{}, element.number("radius_m")};
     if (kind == "disc") return disc(element);
-    if (kind == "box") return box(element);
-    if (kind == "cylinder") return cylinder(element);
+    if (kind == "box") return build_box(context_, element);
+    if (kind == "cylinder") return build_cylinder(context_, element);
     return geo::Plane{{}, element.number("size_x_m"), element.number("size_y_m")};
   }
 
@@ -103,30 +84,50 @@ class GeometryBuilder {
             element.number("radius_m")};
   }
 
-  [[nodiscard]] geo::Box box(const CheckedElement& element) const {
-    const auto lo = element.find<Vec3>("lo_m"), hi = element.find<Vec3>("hi_m");
-    if (lo && hi && !(lo->x < hi->x && lo->y < hi->y && lo->z < hi->z)) {
-      context_.mistake(element.where("hi_m"),
-                       "each number of hi_m must be greater than that of lo_m");
-    }
-    return {lo.value_or(Vec3{}), hi.value_or(Vec3{})};
-  }
-
-  [[nodiscard]] geo::Cylinder cylinder(const CheckedElement& element) const {
-    const auto base = element.find<Vec3>("base_m"), top = element.find<Vec3>("top_m");
-    if (base && top && *base == *top) {
-      context_.mistake(element.where("top_m"), "base_m and top_m of <cylinder> are the same place");
-    }
-    return {base.value_or(Vec3{}), top.value_or(Vec3{}), element.number("radius_m"),
-            element.flag("capped")};
-  }
-
   const BuildContext& context_;
   MaterialNames& materials_;
   bool has_terrain_;
 };
 
 }  // namespace
+
+bool build_on_terrain(const BuildContext& context, const CheckedElement& element,
+                      bool has_terrain) {
+  const bool on = element.flag("on_terrain");
+  if (on && !has_terrain) {
+    context.mistake(element.where("on_terrain"),
+                    fmt::format("<{}> stands on the terrain, but <geometry> has no <terrain>",
+                                element.type->name));
+  }
+  return on;
+}
+
+PlacementInput build_placement(const BuildContext& context, const CheckedElement& element,
+                               bool has_terrain) {
+  return {{element.number("east_m"), element.number("north_m"), element.number("up_m")},
+          element.number("yaw_deg"),
+          element.number("pitch_deg"),
+          element.number("roll_deg"),
+          element.find<Vec3>("scale").value_or(Vec3{1.0, 1.0, 1.0}),
+          build_on_terrain(context, element, has_terrain)};
+}
+
+geo::Box build_box(const BuildContext& context, const CheckedElement& element) {
+  const auto lo = element.find<Vec3>("lo_m"), hi = element.find<Vec3>("hi_m");
+  if (lo && hi && !(lo->x < hi->x && lo->y < hi->y && lo->z < hi->z)) {
+    context.mistake(element.where("hi_m"), "each number of hi_m must be greater than that of lo_m");
+  }
+  return {lo.value_or(Vec3{}), hi.value_or(Vec3{})};
+}
+
+geo::Cylinder build_cylinder(const BuildContext& context, const CheckedElement& element) {
+  const auto base = element.find<Vec3>("base_m"), top = element.find<Vec3>("top_m");
+  if (base && top && *base == *top) {
+    context.mistake(element.where("top_m"), "base_m and top_m of <cylinder> are the same place");
+  }
+  return {base.value_or(Vec3{}), top.value_or(Vec3{}), element.number("radius_m"),
+          element.flag("capped")};
+}
 
 void build_geometry(const BuildContext& context, const CheckedElement& element,
                     MaterialNames& materials, Scenario& scenario) {

@@ -46,7 +46,8 @@ AirInput build_air(const CheckedElement& element) {
                     uniform->value<SpectralInput>("solar_transmittance"),
                     uniform->value<SpectralInput>("transmittance"),
                     uniform->value<SpectralInput>("path_radiance"),
-                    uniform->number("air_temperature_k")};
+                    uniform->number("air_temperature_k"),
+                    uniform->value<std::string>("sky_shape") == "overcast"};
 }
 
 materials::SolverSettings build_solver(const CheckedElement& element,

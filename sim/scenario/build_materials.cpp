@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "sim/scenario/build_context.hpp"
+#include "sim/scenario/build_material.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -37,7 +37,36 @@ Libraries read_libraries(const BuildContext& context, const CheckedElement& elem
   return libraries;
 }
 
-/// Spectra of the library's material that the element asks for.
+/// Whether the element gives what its material is made of, so that no library is needed.
+bool stands_alone(const CheckedElement& element, const MaterialInput& material) {
+  return element.gives("reflectance") || element.gives("emissivity") ||
+         brings_spectra(material.scattering);
+}
+
+/// What the library says about the material and the element does not.
+void complete_from(const MaterialInput& library, const CheckedElement& element,
+                   MaterialInput& material) {
+  const bool own_model = scattering_element(element) != nullptr;
+  if (material.description.empty()) material.description = library.description;
+  material.reflectance = library.reflectance;
+  material.emissivity = library.emissivity;
+  if (!element.gives("transmittance")) material.transmittance = library.transmittance;
+  if (!own_model) material.scattering = library.scattering;
+  if (!material.relief) material.relief = library.relief;
+}
+
+/// A model that scales spectra which the library's material does not have.
+void check_completed(const BuildContext& context, const CheckedElement& element,
+                     const MaterialInput& material) {
+  const CheckedElement* model = scattering_element(element);
+  if (model == nullptr || material.reflectance || material.emissivity) return;
+  context.mistake(model->offset,
+                  fmt::format("<{}> needs a reflectance, but the library's material brings its "
+                              "spectra with a scattering model of its own",
+                              model->type->name));
+}
+
+/// Takes the library's material that the element asks for.
 void take_from_library(const BuildContext& context, const CheckedElement& element,
                        const Libraries& libraries, MaterialInput& material) {
   const bool named = element.gives("from");
@@ -45,9 +74,9 @@ void take_from_library(const BuildContext& context, const CheckedElement& elemen
   if (wanted.empty()) return;
   const auto found = libraries.by_name.find(wanted);
   if (found != libraries.by_name.end()) {
-    material.reflectance = found->second.reflectance;
-    material.emissivity = found->second.emissivity;
-    if (material.description.empty()) material.description = found->second.description;
+    complete_from(found->second, element, material);
+    check_completed(context, element, material);
+    if (scattering_element(element) == nullptr) check_transmittance(context, element, material);
     return;
   }
   if (!libraries.complete) return;
@@ -66,27 +95,19 @@ void take_from_library(const BuildContext& context, const CheckedElement& elemen
 }
 
 MaterialInput build_material(const BuildContext& context, const CheckedElement& element,
-                             const Libraries& libraries, const Scenario& scenario,
-                             double default_temperature_k) {
-  MaterialInput material{element.value<std::string>("name"),
-                         element.value<std::string>("description"),
-                         element.find<SpectralInput>("reflectance"),
-                         element.find<SpectralInput>("emissivity"),
-                         element.find<double>("temperature_k").value_or(default_temperature_k),
-                         std::nullopt};
+                             const Libraries& libraries, const Scenario& scenario) {
+  MaterialInput material = build_material_data(context, element);
   if (const CheckedElement* solver = element.child("solver")) {
     material.solver = build_solver(*solver, scenario.solver);
   }
-  const bool own = element.gives("reflectance") || element.gives("emissivity");
-  if (own && element.gives("from")) {
-    context.mistake(element.where("from"),
-                    "give either from, or reflectance and emissivity, not both");
-  } else if (!own) {
+  if (!stands_alone(element, material)) {
     take_from_library(context, element, libraries, material);
-  }
-  if (auto mistake = energy_mistake(material.reflectance, material.emissivity);
-      own && !mistake.empty()) {
-    context.mistake(element.where("emissivity"), std::move(mistake));
+  } else if (element.gives("from")) {
+    const bool own = brings_spectra(material.scattering);
+    context.mistake(element.where("from"),
+                    own ? fmt::format("<{}> brings its own spectra: from has no place beside it",
+                                      scattering_element(element)->type->name)
+                        : "give either from, or reflectance and emissivity, not both");
   }
   return material;
 }
@@ -100,15 +121,29 @@ MaterialNames build_materials(const BuildContext& context, const CheckedElement&
   MaterialNames names;
   names.set_library_names(libraries.names);
   scenario.libraries = libraries.files;
-  std::vector<const CheckedElement*> declared;
+  std::vector<const CheckedElement*> declared, all;
   for (const CheckedElement& child : element.children) {
-    if (child.type->name != "material") continue;
+    const std::string& kind = child.type->name;
+    if (kind == "library") continue;
+    all.push_back(&child);
+    if (kind != "material") {
+      names.add_map(child.value<std::string>("name"), child.offset);
+      continue;
+    }
     declared.push_back(&child);
     names.add(child.value<std::string>("name"), child.offset);
-    scenario.materials.push_back(
-        build_material(context, child, libraries, scenario, default_temperature_k));
+    MaterialInput material = build_material(context, child, libraries, scenario);
+    material.temperature_k = child.find<double>("temperature_k").value_or(default_temperature_k);
+    scenario.materials.push_back(std::move(material));
   }
-  context.check_unique(declared, "material");
+  context.check_unique(all, "material");
+  const FindPart find = [&](const CheckedElement& part) -> std::optional<std::size_t> {
+    const auto found = names.resolve_material(context, part);
+    return found ? std::optional{static_cast<std::size_t>(*found)} : std::nullopt;
+  };
+  resolve_mixtures(context, declared, find, scenario.materials);
+  build_maps(context, element, names, scenario);
+  names.set_material_count(scenario.materials.size());
   return names;
 }
 

@@ -2,38 +2,47 @@
 
 #include <fmt/format.h>
 
-#include "sim/scenario/build_context.hpp"
+#include <map>
+
+#include "sim/scenario/build_material.hpp"
 #include "sim/scenario/check_document.hpp"
 
 namespace nadir::sim {
 namespace {
 
-LibraryMaterial build(const BuildContext& context, const CheckedElement& element) {
-  LibraryMaterial material{
-      element.value<std::string>("name"), element.value<std::string>("description"),
-      element.find<SpectralInput>("reflectance"), element.find<SpectralInput>("emissivity")};
-  if (!element.gives("reflectance") && !element.gives("emissivity")) {
+MaterialInput build(const BuildContext& context, const CheckedElement& element) {
+  MaterialInput material = build_material_data(context, element);
+  if (!element.gives("reflectance") && !element.gives("emissivity") &&
+      !brings_spectra(material.scattering)) {
     context.mistake(
         element.offset,
         fmt::format("material \"{}\" has neither reflectance nor emissivity", material.name));
   }
-  if (auto mistake = energy_mistake(material.reflectance, material.emissivity); !mistake.empty()) {
-    context.mistake(element.where("emissivity"), std::move(mistake));
-  }
   return material;
 }
 
-}  // namespace
-
-std::string energy_mistake(const std::optional<SpectralInput>& reflectance,
-                           const std::optional<SpectralInput>& emissivity) {
-  if (!reflectance || !emissivity) return {};
-  const double* rho = std::get_if<double>(&reflectance->source);
-  const double* eps = std::get_if<double>(&emissivity->source);
-  // 1e-9: decimals such as 0.1 + 0.9 are not exact in binary
-  if (rho == nullptr || eps == nullptr || *rho + *eps <= 1.0 + 1e-9) return {};
-  return fmt::format("reflectance {} and emissivity {} sum to more than 1", *rho, *eps);
+/// Mixtures of a library mix materials of the same library.
+void resolve(const BuildContext& context, const std::vector<const CheckedElement*>& elements,
+             std::vector<MaterialInput>& materials) {
+  std::map<std::string, std::size_t> numbers;
+  std::vector<std::string> names;
+  for (const MaterialInput& material : materials) {
+    numbers.emplace(material.name, names.size());
+    names.push_back(material.name);
+  }
+  const FindPart find = [&](const CheckedElement& part) -> std::optional<std::size_t> {
+    const auto name = part.find<std::string>("material");
+    if (!name) return std::nullopt;
+    if (const auto found = numbers.find(*name); found != numbers.end()) return found->second;
+    context.mistake(part.where("material"),
+                    fmt::format("the library has no material \"{}\"", *name),
+                    suggestion(*name, names));
+    return std::nullopt;
+  };
+  resolve_mixtures(context, elements, find, materials);
 }
+
+}  // namespace
 
 std::optional<std::vector<LibraryMaterial>> read_library(const std::filesystem::path& file,
                                                          Issues& issues) {
@@ -41,15 +50,16 @@ std::optional<std::vector<LibraryMaterial>> read_library(const std::filesystem::
     const SourceText source = read_source_text(file);
     const XmlElement xml = parse_xml(source);
     const CheckedElement root = check_document(xml, library_root, source, InputPaths{file}, issues);
-    Diagnostics unused;  // a library has nothing to warn of
+    Diagnostics unused;  // binding tells again of what matters in materials that are used
     const BuildContext context{source, issues, unused};
-    std::vector<LibraryMaterial> materials;
+    std::vector<MaterialInput> materials;
     std::vector<const CheckedElement*> elements;
     for (const CheckedElement& element : root.children) {
       elements.push_back(&element);
       materials.push_back(build(context, element));
     }
     context.check_unique(elements, "material");
+    resolve(context, elements, materials);
     return materials;
   } catch (const InputError& error) {
     issues.add(error);

@@ -10,12 +10,8 @@
 
 namespace nadir::sim {
 
-struct LibraryMaterial {
-  std::string name;
-  std::string description;
-  std::optional<SpectralInput> reflectance;
-  std::optional<SpectralInput> emissivity;
-};
+/// A material of a library: what it lacks (temperature, solver settings) the scenario gives.
+using LibraryMaterial = MaterialInput;
 
 /// Reads and checks a material library; adds its mistakes, which name the library, to `issues`.
 /// Nothing where the file cannot be taken apart at all.
@@ -26,9 +22,8 @@ struct LibraryMaterial {
 /// @throws InputError that lists every mistake of the file with line and column
 [[nodiscard]] std::vector<LibraryMaterial> read_material_library(const std::filesystem::path& file);
 
-/// Opaque surfaces reflect and emit at most everything: tells of two numbers that sum to more.
+/// Surfaces reflect, transmit and emit at most everything: tells of numbers that sum to more.
 /// @return the mistake, or empty
-[[nodiscard]] std::string energy_mistake(const std::optional<SpectralInput>& reflectance,
-                                         const std::optional<SpectralInput>& emissivity);
+[[nodiscard]] std::string energy_mistake(const MaterialInput& material);
 
 }  // namespace nadir::sim

@@ -16,13 +16,21 @@ void build_parts(const BuildContext& context, const CheckedElement& root, Scenar
   if (const auto* air = root.child("atmosphere")) scenario.air = build_air(*air);
   if (const auto* solver = root.child("solver")) {
     scenario.solver = build_solver(*solver, scenario.solver);
+    const bool path = solver->value<std::string>("method") == "path";
+    scenario.method = path ? radiometry::Method::path : radiometry::Method::generic;
+    scenario.path_max_bounces = solver->value<int>("path_max_bounces");
   }
   const CheckedElement* materials = root.child("materials");
   const CheckedElement* geometry = root.child("geometry");
   if (materials != nullptr && geometry != nullptr) {
     MaterialNames names = build_materials(context, *materials, scenario);
     build_geometry(context, *geometry, names, scenario);
+    build_lamps(context, root, names, scenario);
     names.warn_of_unused(context);
+  }
+  if (const auto* volumes = root.child("volumes")) {
+    const bool has_terrain = geometry != nullptr && geometry->child("terrain") != nullptr;
+    build_volumes(context, *volumes, has_terrain, scenario);
   }
   if (const auto* platform = root.child("platform")) build_platform(context, *platform, scenario);
   if (const auto* camera = root.child("camera")) build_camera(context, *camera, scenario);

@@ -12,17 +12,17 @@
 #include "geometry/earth.hpp"
 #include "geometry/shapes.hpp"
 #include "materials/solver_settings.hpp"
+#include "radiometry/method.hpp"
+#include "sim/scenario/lamp_input.hpp"
+#include "sim/scenario/material_input.hpp"
+#include "sim/scenario/placement_input.hpp"
+#include "sim/scenario/spectral_input.hpp"
+#include "sim/scenario/volume_input.hpp"
 
 // What a scenario file says, as plain data: checked for form, units and ranges, names resolved to
 // indices, files named by absolute path but not yet read. Units are in the names.
 
 namespace nadir::sim {
-
-/// A spectral quantity: one number for all wavelengths, or a column of a spectrum file.
-struct SpectralInput {
-  std::variant<double, std::filesystem::path> source = 0.0;
-  std::string column;  ///< of the file; empty where it has only one
-};
 
 // ---- light ------------------------------------------------------------------------------------
 
@@ -55,24 +55,16 @@ struct UniformAir {
   SpectralInput transmittance{1.0, {}};        ///< from the surface to the sensor
   SpectralInput path_radiance{0.0, {}};        ///< scattered into that path, W m^-2 sr^-1 um^-1
   double air_temperature_k = 0.0;              ///< of the path's own emission; 0: none
+  bool overcast = false;                       ///< the sky follows the standard overcast sky
 };
 using AirInput = std::variant<NoAir, UniformAir>;
 
 // ---- materials and geometry -------------------------------------------------------------------
 
-struct MaterialInput {
-  std::string name;
-  std::string description;
-  std::optional<SpectralInput> reflectance;
-  std::optional<SpectralInput> emissivity;
-  double temperature_k = 0.0;
-  std::optional<materials::SolverSettings> solver;
-};
-
 /// A part of a mesh (as named in its file) and its material. An empty part means all others.
 struct PartMaterial {
   std::string part;
-  int material = 0;  ///< index into Scenario::materials
+  int material = 0;  ///< index into Scenario::materials; beyond them, into Scenario::maps
 };
 
 struct MeshInput {
@@ -84,15 +76,6 @@ struct ShapeInput {
   int material = 0;
 };
 using FormInput = std::variant<MeshInput, ShapeInput>;
-
-/// Where an object stands: scene east, north, up; rotated by yaw (clockwise about up, seen from
-/// above), then pitch (nose up about the object's x axis), then roll (about its y axis), scaled.
-struct PlacementInput {
-  Vec3 position_m;
-  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
-  Vec3 scale{1.0, 1.0, 1.0};
-  bool on_terrain = false;  ///< up counts from the terrain below (east, north)
-};
 
 struct TerrainInput {
   std::string name;
@@ -187,10 +170,15 @@ struct Scenario {
   geometry::Geodetic origin;  ///< of the scene's axes
   IlluminationInput illumination;
   AirInput air;
-  materials::SolverSettings solver;
+  materials::SolverSettings solver;  ///< of the generic solver
+  radiometry::Method method = radiometry::Method::generic;
+  int path_max_bounces = 0;                      ///< of the path solver; 0: no limit
   std::vector<std::filesystem::path> libraries;  ///< of materials, which were read
-  std::vector<MaterialInput> materials;
+  std::vector<MaterialInput> materials;          ///< those of contrast maps after those of the file
+  std::vector<MaterialMapInput> maps;
   std::vector<GeometryInput> geometry;
+  std::vector<VolumeInput> volumes;
+  std::vector<LampInput> lamps;
   PlatformInput platform;
   CameraInput camera;
   SamplingInput sampling;

@@ -14,7 +14,8 @@ const Schema& schema() {
   static const Schema table = [] {
     std::vector<ElementType> all;
     for (auto&& part : {schema_of_root(), schema_of_light(), schema_of_materials(),
-                        schema_of_geometry(), schema_of_sensor()}) {
+                        schema_of_scattering(), schema_of_maps(), schema_of_geometry(),
+                        schema_of_volumes(), schema_of_lamps(), schema_of_sensor()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return Schema{std::move(all)};
@@ -37,6 +38,8 @@ std::vector<ElementType> schema_of_root() {
                     {"solver"},
                     {"materials", true},
                     {"geometry", true},
+                    {"volumes"},
+                    {"lamps"},
                     {"platform", true},
                     {"camera", true},
                     {"sampling"},

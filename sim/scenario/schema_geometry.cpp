@@ -104,6 +104,8 @@ ElementType instances(Where where) {
 
 }  // namespace
 
+std::vector<Attribute> scene_placement() { return placement(Where::scene); }
+
 std::vector<ElementType> schema_of_geometry() {
   std::vector<Child> top = {{"terrain"}};
   for (Child& child : object_children(Where::scene)) top.push_back(std::move(child));

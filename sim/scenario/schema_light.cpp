@@ -67,7 +67,11 @@ std::vector<ElementType> air() {
                       "Scattered into the path between a surface and the sensor."),
             defaulted("air_temperature_k", temperature(), "K", "0",
                       "The path also emits (1 - transmittance) of a black body of this "
-                      "temperature; 0: not at all.")}},
+                      "temperature; 0: not at all."),
+            defaulted("sky_shape", EnumerationType{{"even", "overcast"}}, "", "even",
+                      "How sky_radiance is spread over the dome: alike in all directions, or three "
+                      "times as bright in the zenith as at the horizon. A level surface gets the "
+                      "same light either way.")}},
   };
 }
 
@@ -103,8 +107,17 @@ ElementType solver(const std::string& id, const std::string& doc, const std::str
 std::vector<ElementType> schema_of_light() {
   std::vector<ElementType> all = illumination();
   for (ElementType& type : air()) all.push_back(std::move(type));
-  all.push_back(
-      solver("solver", "How radiance is computed, unless a material says otherwise.", ""));
+  ElementType scenario_solver = solver(
+      "solver", "How radiance is computed, unless a material says otherwise.", "");
+  scenario_solver.attributes.push_back(
+      defaulted("method", EnumerationType{{"generic", "path"}}, "", "generic",
+                "generic: the generic radiometry solver, which the attributes above set. path: the "
+                "unbiased path solver, which ignores them."));
+  scenario_solver.attributes.push_back(
+      defaulted("path_max_bounces", IntegerType{0, 1000000}, "", "0",
+                "Of the path solver: surfaces after the first one that a path may reach. 0: no "
+                "limit, and no bias."));
+  all.push_back(std::move(scenario_solver));
   all.push_back(solver("material_solver", "How radiance is computed on this material.",
                        "as in the scenario's solver"));
   return all;

@@ -5,9 +5,61 @@ namespace {
 
 SpectralType fraction() { return {from_to(0.0, 1.0)}; }
 
-const char* const reflectance_doc =
-    "Directional-hemispherical reflectance. Where only one of reflectance and emissivity is given, "
-    "the other is 1 minus it.";
+/// What a material of a scenario and one of a library have in common.
+std::vector<Attribute> optical() {
+  return {optional("reflectance", fraction(), "", "1 - emissivity - transmittance",
+                   "Directional-hemispherical reflectance. Where only one of reflectance and "
+                   "emissivity is given, the other follows. Models that bring their own spectra "
+                   "take neither."),
+          optional("emissivity", fraction(), "", "1 - reflectance - transmittance",
+                   "Directional emissivity."),
+          optional("transmittance", fraction(), "", "opaque",
+                   "Directional-hemispherical transmittance, of leaf and clear_sheet.")};
+}
+
+std::vector<Child> scattering_and(std::vector<Child> others) {
+  std::vector<Child> children = scattering_children();
+  children.insert(children.end(), others.begin(), others.end());
+  return children;
+}
+
+ElementType material() {
+  ElementType type{
+      .id = "material",
+      .name = "material",
+      .doc =
+          "A material that surfaces of this scenario may name. Without from, reflectance, "
+          "emissivity and a model with spectra of its own it is the library's material of the "
+          "same name. At most one scattering model; without one the library's, or lambertian.",
+      .attributes = {required("name", NameType{}, "", "Unique in the scenario, maps included."),
+                     optional("description", TextType{}, "", "the library's, if it is from there",
+                              "For people."),
+                     optional("from", NameType{}, "",
+                              "spectra from reflectance or emissivity, or "
+                              "the library's material of the same name",
+                              "Name of a library's material whose spectra to take.")},
+      .content = Content::record,
+      .children = scattering_and({{"relief"}, {"material_solver"}})};
+  for (Attribute& attribute : optical()) type.attributes.push_back(std::move(attribute));
+  type.attributes.push_back(optional("temperature_k", temperature(), "K",
+                                     "the list's default_temperature_k",
+                                     "Thermodynamic temperature; 0: it does not emit."));
+  return type;
+}
+
+ElementType library_material() {
+  ElementType type{.id = "library_material",
+                   .name = "material",
+                   .doc =
+                       "A material of a library. At least one of reflectance and emissivity is "
+                       "needed, unless its scattering model brings spectra of its own.",
+                   .attributes = {required("name", NameType{}, "", "Unique in the library."),
+                                  optional("description", TextType{}, "", "none", "For people.")},
+                   .content = Content::record,
+                   .children = scattering_and({{"relief"}})};
+  for (Attribute& attribute : optical()) type.attributes.push_back(std::move(attribute));
+  return type;
+}
 
 }  // namespace
 
@@ -19,7 +71,7 @@ std::vector<ElementType> schema_of_materials() {
        .attributes = {required("default_temperature_k", temperature(), "K",
                                "Of materials that have none of their own.")},
        .content = Content::list,
-       .children = {{"library"}, {"material"}},
+       .children = {{"library"}, {"material"}, {"material_map"}, {"contrast_map"}},
        .at_least = 1},
       {.id = "library",
        .name = "library",
@@ -27,44 +79,14 @@ std::vector<ElementType> schema_of_materials() {
               "the one listed first counts.",
        .attributes = {required("file", PathType{{".xml"}}, "",
                                "Nadir's own is library:materials.xml.")}},
-      {.id = "material",
-       .name = "material",
-       .doc = "A material that surfaces of this scenario may name. Without from, reflectance and "
-              "emissivity its spectra are those of the library's material of the same name.",
-       .attributes = {required("name", NameType{}, "", "Unique in the scenario."),
-                      optional("description", TextType{}, "", "the library's, if it is from there",
-                               "For people."),
-                      optional("from", NameType{}, "",
-                               "spectra from reflectance or emissivity, or "
-                               "the library's material of the same name",
-                               "Name of a library's material whose spectra to take."),
-                      optional("reflectance", fraction(), "", "1 - emissivity", reflectance_doc),
-                      optional("emissivity", fraction(), "", "1 - reflectance",
-                               "Directional emissivity."),
-                      optional("temperature_k", temperature(), "K",
-                               "the list's default_temperature_k",
-                               "Thermodynamic temperature; 0: it does not emit.")},
-       .content = Content::record,
-       .children = {{"lambertian"}, {"material_solver"}}},
-      {.id = "lambertian",
-       .name = "lambertian",
-       .doc = "Scatters alike in all directions. What holds without a scattering model as well."},
+      material(),
       {.id = library_root,
        .name = "materials",
        .doc = "Root of a material library. Its paths count from the library's own folder.",
        .content = Content::list,
        .children = {{"library_material"}},
        .at_least = 1},
-      {.id = "library_material",
-       .name = "material",
-       .doc = "A material of a library. At least one of reflectance and emissivity is needed.",
-       .attributes = {required("name", NameType{}, "", "Unique in the library."),
-                      optional("description", TextType{}, "", "none", "For people."),
-                      optional("reflectance", fraction(), "", "1 - emissivity", reflectance_doc),
-                      optional("emissivity", fraction(), "", "1 - reflectance",
-                               "Directional emissivity.")},
-       .content = Content::record,
-       .children = {{"lambertian"}}},
+      library_material(),
   };
 }
 

@@ -40,7 +40,15 @@ inline NumberType full_turn() { return from_to(-360.0, 360.0); }
 [[nodiscard]] std::vector<ElementType> schema_of_root();
 [[nodiscard]] std::vector<ElementType> schema_of_light();
 [[nodiscard]] std::vector<ElementType> schema_of_materials();
+[[nodiscard]] std::vector<ElementType> schema_of_scattering();
+[[nodiscard]] std::vector<ElementType> schema_of_maps();
+/// The scattering models, as children of a material.
+[[nodiscard]] std::vector<Child> scattering_children();
 [[nodiscard]] std::vector<ElementType> schema_of_geometry();
+/// Where something stands in the scene and how it is turned.
+[[nodiscard]] std::vector<Attribute> scene_placement();
+[[nodiscard]] std::vector<ElementType> schema_of_volumes();
+[[nodiscard]] std::vector<ElementType> schema_of_lamps();
 [[nodiscard]] std::vector<ElementType> schema_of_sensor();
 
 }  // namespace nadir::sim

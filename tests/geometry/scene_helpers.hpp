@@ -80,7 +80,7 @@ inline TriangleMesh box_mesh(Vec3 lo, Vec3 hi) {
 }
 
 inline TriangleMesh one_triangle(Vec3 a, Vec3 b, Vec3 c) {
-  return {{a, b, c}, {{0, 1, 2}}, {}, {}};
+  return {{a, b, c}, {{0, 1, 2}}, {}, {}, {}};
 }
 
 /// The vertices as Embree stores them when the scene's bounds are those of the mesh.

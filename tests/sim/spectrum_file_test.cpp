@@ -263,6 +263,25 @@ TEST_CASE("a curve is read for the quantity that its user needs", "[sim][spectru
                     "none.csv: error: the file cannot be opened\n");
 }
 
+TEST_CASE("both parts of a refractive index come from one file and are not mixed up",
+          "[sim][spectrum]") {
+  std::string text = header;
+  text.replace(text.find("reflectance"), 11, "refractive_index");
+  const TemporaryFile file{"gold.csv", text + "wavelength_um,n,k\n0.4,1.5,1.9\n0.8,0.2,4.9\n"};
+  const std::string name = file.path.string();
+  const auto read = [&](const char* column, SpectrumQuantity expected) {
+    return sim::read_curve(file.path, column, expected, Outside::reject).at(0.8_um);
+  };
+  CHECK(read("n", SpectrumQuantity::refractive_index) == 0.2);
+  CHECK(read("k", SpectrumQuantity::extinction_coefficient) == 4.9);
+  CHECK_THROWS_WITH(
+      read("k", SpectrumQuantity::refractive_index),
+      name + ": error: column \"k\" holds extinction_coefficient; expected refractive_index\n");
+  CHECK_THROWS_WITH(
+      read("n", SpectrumQuantity::extinction_coefficient),
+      name + ": error: the file holds refractive_index; expected extinction_coefficient\n");
+}
+
 TEST_CASE("a plain table is checked as what it is used for", "[sim][spectrum]") {
   const TemporaryFile file{"plain.csv", "wavelength_nm,x\n400,0.5\n800,1.5\n"};
   const std::string name = file.path.string();

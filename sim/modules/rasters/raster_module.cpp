@@ -73,17 +73,26 @@ class ToGeodetic {
 
   /// Centres of the pixels of one row. Where there is no conversion: NaN.
   void row(const Cut& cut, int row, double* longitude_deg, double* latitude_deg) {
-    const auto count = static_cast<std::size_t>(cut.columns);
-    good_.assign(count, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double x = cut.column + static_cast<double>(i) + 0.5, y = row + 0.5;
-      longitude_deg[i] = transform_[0] + x * transform_[1] + y * transform_[2];
-      latitude_deg[i] = transform_[3] + x * transform_[4] + y * transform_[5];
+    for (int i = 0; i < cut.columns; ++i) {
+      longitude_deg[i] = cut.column + i + 0.5;
+      latitude_deg[i] = row + 0.5;
     }
-    conversion_->Transform(cut.columns, longitude_deg, latitude_deg, nullptr, good_.data());
-    for (std::size_t i = 0; i < count; ++i) {
+    places(cut.columns, longitude_deg, latitude_deg);
+  }
+
+  /// Turns places in pixels (x: column, y: row) into longitude and latitude.
+  void places(int count, double* x, double* y) {
+    const auto size = static_cast<std::size_t>(count);
+    good_.assign(size, 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double column = x[i], row = y[i];
+      x[i] = transform_[0] + column * transform_[1] + row * transform_[2];
+      y[i] = transform_[3] + column * transform_[4] + row * transform_[5];
+    }
+    conversion_->Transform(count, x, y, nullptr, good_.data());
+    for (std::size_t i = 0; i < size; ++i) {
       if (good_[i]) continue;
-      longitude_deg[i] = latitude_deg[i] = std::numeric_limits<double>::quiet_NaN();
+      x[i] = y[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 
@@ -152,6 +161,11 @@ Cut cut_to(const NadirRasterWindow& window, ToGeodetic& to_geodetic, const Cut& 
   return {left, top, right - left + 1, bottom - top + 1};
 }
 
+double full_scale(GDALRasterBand& band) {
+  if (band.GetRasterDataType() == GDT_Byte) return 255.0;
+  return band.GetRasterDataType() == GDT_UInt16 ? 65535.0 : 0.0;
+}
+
 void read(const char* path, int band_number, bool geodetic, const NadirRasterWindow* window,
           NadirRaster& out) {
   const std::unique_ptr<GDALDataset> dataset = open(path);
@@ -174,6 +188,7 @@ void read(const char* path, int band_number, bool geodetic, const NadirRasterWin
     out.geotransform[3] += cut.column * out.geotransform[4] + cut.row * out.geotransform[5];
   }
   pixels->values = read_values(*dataset->GetRasterBand(band_number), cut);
+  out.full_scale = full_scale(*dataset->GetRasterBand(band_number));
   if (to_geodetic) {
     pixels->latitude_deg.resize(pixels->values.size());
     pixels->longitude_deg.resize(pixels->values.size());
@@ -191,21 +206,33 @@ void read(const char* path, int band_number, bool geodetic, const NadirRasterWin
   out.owner = pixels.release();
 }
 
-int read_entry(const char* path, int band, int geodetic, const NadirRasterWindow* window,
-               NadirRaster* out, char* message, std::size_t message_size) {
-  *out = NadirRaster{};
+/// Runs the work of an entry; what it throws travels as text.
+template <class Work>
+int told(const Work& work, char* message, std::size_t message_size) {
   try {
     const QuietErrors quiet;
-    read(path, band, geodetic != 0, window, *out);
+    work();
     return 0;
   } catch (const std::exception& error) {
-    *out = NadirRaster{};
     std::snprintf(message, message_size, "%s", error.what());
   } catch (...) {
-    *out = NadirRaster{};
     std::snprintf(message, message_size, "unknown failure in the raster module");
   }
   return 1;
+}
+
+int read_entry(const char* path, int band, int geodetic, const NadirRasterWindow* window,
+               NadirRaster* out, char* message, std::size_t message_size) {
+  *out = NadirRaster{};
+  const int result =
+      told([&] { read(path, band, geodetic != 0, window, *out); }, message, message_size);
+  if (result != 0) *out = NadirRaster{};
+  return result;
+}
+
+int locate_entry(const char* path, int count, double* column, double* row, char* message,
+                 std::size_t message_size) {
+  return told([&] { ToGeodetic{*open(path)}.places(count, column, row); }, message, message_size);
 }
 
 void release_entry(NadirRaster* raster) {
@@ -213,7 +240,8 @@ void release_entry(NadirRaster* raster) {
   *raster = NadirRaster{};
 }
 
-constexpr NadirRasterModule table{nadir_raster_module_version, read_entry, release_entry};
+constexpr NadirRasterModule table{nadir_raster_module_version, read_entry, release_entry,
+                                  locate_entry};
 
 }  // namespace
 

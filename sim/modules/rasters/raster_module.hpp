@@ -12,6 +12,7 @@ struct NadirRaster {
   int rows;
   int bands;               ///< of the file
   const double* values;    ///< row-major; NaN where the file has no value
+  double full_scale;       ///< largest value of an unsigned whole-number type; 0 for others
   double geotransform[6];  ///< pixel corner to projected coordinates, GDAL's order
   int has_geotransform;
   int has_projection;
@@ -34,9 +35,14 @@ struct NadirRasterModule {
   int (*read)(const char* path, int band, int geodetic, const NadirRasterWindow* window,
               NadirRaster* out, char* message, std::size_t message_size);
   void (*release)(NadirRaster* raster);
+  /// Where `count` places of the raster lie. `column` and `row` are in pixels, (0.5, 0.5) being the
+  /// centre of the first; they are replaced by longitude and latitude in degrees, WGS84, NaN where
+  /// there is no conversion. Returns and complains as `read`.
+  int (*locate)(const char* path, int count, double* column, double* row, char* message,
+                std::size_t message_size);
 };
 
-enum { nadir_raster_module_version = 1 };
+enum { nadir_raster_module_version = 2 };
 
 /// The one exported function.
 const NadirRasterModule* nadir_raster_module(void);

@@ -1,0 +1,90 @@
+#pragma once
+// Private to this folder: what the generic solver keeps in mind about one hit and one ray.
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "radiometry/generic_solver.hpp"
+
+namespace nadir::radiometry {
+
+namespace generic {
+
+// Purposes of the random numbers at one hit. Quads have children of their own from first_quad on.
+enum Dimension : std::uint32_t {
+  allocation = 0,
+  lamp_choice = 1,
+  lamp_place = 2,
+  flight = 3,
+  in_scatter = 4,
+  first_target = 16
+};
+inline constexpr std::uint32_t first_quad = 1024;
+
+inline double largest(const spectral::Spectrum& s) { return static_cast<double>(s.max()); }
+
+}  // namespace generic
+
+/// Lights that a ray meets: their shadow rays have counted them already where the ray fills a quad;
+/// where it was drawn by a lobe both share by the balance heuristic.
+struct GenericSolver::LightsAlong {
+  bool seen = false;
+  double density = 0.0;  // of all lobe samples together, sr^-1; 0: a delta, or a sensor's ray
+  Vec3 origin{}, normal{};
+};
+
+/// A hit that is being solved.
+struct GenericSolver::Visit {
+  const SurfacePoint& point;
+  const GenericPlan& plan;
+  double weight;  // of the ray that asked
+  int generation;
+  Sampler sampler;
+  QuadTurn turn;                  // how the quads lie around the view
+  const Arrival* came = nullptr;  // the ray that asked; null: one from outside
+
+  Visit(const LitScene& scene, const SurfacePoint& at, double ray_weight, int g,
+        const Sampler& numbers)
+      : point{at},
+        plan{scene.plan(at.hit().material)},
+        weight{ray_weight},
+        generation{g},
+        sampler{numbers} {
+    if (!by_lobes()) turn = plan.importance()->turn(at.wo());
+  }
+
+  [[nodiscard]] bool by_lobes() const { return !plan.importance().has_value(); }
+};
+
+/// A direction that light may come from.
+struct GenericSolver::Sample {
+  spectral::Spectrum factor;  // f |cos| per lane, sr^-1
+  double reflectance = 0.0;   // largest reflectance factor pi f over the wavelengths
+  double weight = 0.0;        // of the ray that asked, times the former, times the cosine
+  bool possible = false;
+
+  Sample(const spectral::Spectrum& f, double largest_factor, double sample_weight)
+      : factor{f}, reflectance{largest_factor}, weight{sample_weight}, possible{true} {}
+  Sample(const Visit& visit, Vec3 towards, Vec3 wi) : possible{visit.point.admits(towards, wi)} {
+    if (!possible) return;
+    factor = materials::eval(visit.point.material().scattering, wi, visit.point.wo());
+    const double cosine = std::abs(wi.z);
+    reflectance = std::numbers::pi * generic::largest(factor);
+    factor *= static_cast<float>(cosine);
+    weight = visit.weight * reflectance * cosine;
+  }
+};
+
+/// What becomes of the light that a ray brings.
+struct GenericSolver::Arrival {
+  spectral::Spectrum factor;
+  double direct_share = 1.0;     // of emission and sky
+  double scattered_share = 1.0;  // of what the hit scatters; counts for full samples only
+  Kind kind = Kind::full;
+  double weight = 1.0;
+  int generation = 0;  // of the hit
+  LightsAlong lights{};
+};
+
+}  // namespace nadir::radiometry

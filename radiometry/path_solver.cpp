@@ -1,0 +1,311 @@
+#include "radiometry/path_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "radiometry/visibility.hpp"
+
+namespace nadir::radiometry {
+
+using geometry::Hit;
+using geometry::Ray;
+using spectral::Spectrum;
+using spectral::SpectrumSum;
+
+namespace {
+
+// Purposes of the random numbers at one vertex of a walk.
+enum Dimension : std::uint32_t {
+  lobe = 0,
+  direction = 1,
+  roulette = 2,
+  technique = 3,
+  lamp_choice = 4,
+  lamp_place = 5,
+  first_target = 16
+};
+// Children: the next vertex, and the numbers of volumes and maps along the way.
+enum Branch : std::uint32_t { next = 0, flight = 1, shadow = 2, split = 3 };
+
+// Of an uneven sky: half of the directions follow the surface, half the sky. (Veach's one-sample
+// model; the best share lies between and matters little.)
+constexpr double sky_share = 0.5;
+// A walk between surfaces that absorb nothing would never end: from here on it does, on average
+// after another 1e7 bounces.
+constexpr int endless = 10000;
+constexpr double endless_survival = 1.0 - 1e-7;
+
+}  // namespace
+
+struct PathSolver::Walk {
+  Ray ray;
+  Spectrum throughput;
+  SpectrumSum* radiance;
+  Sampler numbers;   // of the present vertex
+  Vec3 origin{};     // where the direction was drawn from a density,
+  Vec3 normal{};     // the side that could be lit there (0: all),
+  double pdf = 0.0;  // and that density, sr^-1; 0: lights are seen in no other way
+  int bounces = 0;
+};
+
+/// A direction in which a walk goes on.
+struct PathSolver::Draw {
+  Vec3 direction;         // scene axes
+  Spectrum weight;        // f |cos| / pdf
+  double pdf = 0.0;       // 0: from a delta
+  bool straight = false;  // through a sheet: as if nothing had been there
+};
+
+Spectrum PathSolver::aperture_radiance(const Ray& ray, const std::optional<Hit>& hit,
+                                       const Sampler& numbers) {
+  ++counters_.primary_rays;
+  SpectrumSum radiance{scene_->lanes().count()};
+  Walk walk{ray, Spectrum{scene_->lanes().count(), 1.0F}, &radiance, numbers};
+  if (hit) {
+    const atmosphere::PathTerms path = scene_->air().path(-ray.direction, hit->distance);
+    radiance.add(path.radiance);
+    walk.throughput = path.transmittance;
+  }
+  const double distance = hit ? hit->distance : std::numeric_limits<double>::infinity();
+  const BoundVolumes& volumes = scene_->volumes();
+  if (!volumes.empty() && volumes.crossed(ray, distance)) {
+    // What the sensor sees first deserves both: the volume's own light and what is behind it.
+    const BoundVolumes::Segment segment =
+        volumes.segment(ray, distance, numbers.child(Branch::flight));
+    radiance.add(segment.emission * walk.throughput);
+    if (segment.event) {
+      Walk side{ray, walk.throughput * segment.event->weight, &radiance,
+                numbers.child(Branch::split)};
+      if (scatter_in_volume(side, *segment.event)) follow(side);
+    }
+    walk.throughput *= segment.transmittance;
+  }
+  if (arrive(walk, hit)) follow(walk);
+  return radiance.spectrum();
+}
+
+void PathSolver::follow(Walk& walk) {
+  for (;;) {
+    ++counters_.path_rays;
+    const auto hit = scene_->intersect(walk.ray, walk.numbers);
+    const double distance = hit ? hit->distance : std::numeric_limits<double>::infinity();
+    const BoundVolumes& volumes = scene_->volumes();
+    if (!volumes.empty() && volumes.crossed(walk.ray, distance)) {
+      const auto event = volumes.fly(walk.ray, distance, walk.numbers.child(Branch::flight),
+                                     walk.throughput, *walk.radiance);
+      if (event) {
+        if (!scatter_in_volume(walk, *event)) return;
+        continue;
+      }
+    }
+    if (!arrive(walk, hit)) return;
+  }
+}
+
+bool PathSolver::arrive(Walk& walk, const std::optional<Hit>& hit) {
+  if (!hit) {
+    add_sky(walk);
+    return false;
+  }
+  const SurfacePoint point{*scene_, walk.ray, *hit};
+  add_emission(walk, point);
+  add_surface_lights(walk, point);
+  return bounce(walk, point);
+}
+
+void PathSolver::add_sky(Walk& walk) const {
+  const Vec3 towards = walk.ray.direction;
+  walk.radiance->add(scene_->air().sky(towards) * walk.throughput);
+  for (const Target& target : scene_->targets()) {
+    if (!target.covers(towards)) continue;
+    // Balance heuristic against the ray that is sent to every disc.
+    const double share = walk.pdf > 0.0 ? walk.pdf / (walk.pdf + 1.0 / target.solid_angle) : 1.0;
+    walk.radiance->add(target.radiance * walk.throughput, share);
+  }
+}
+
+void PathSolver::add_emission(Walk& walk, const SurfacePoint& point) const {
+  if (const auto* constant = scene_->constant_emission(point.hit().material)) {
+    walk.radiance->add(*constant * walk.throughput);
+  } else {
+    walk.radiance->add(emission(*scene_, point) * walk.throughput);
+  }
+  if (scene_->lamps().empty()) return;
+  const auto lamp = scene_->lamps().radiance(walk.ray, point.hit());
+  if (!lamp) return;
+  double share = 1.0;
+  if (walk.pdf > 0.0) {
+    const double other = scene_->lamps().pdf(walk.origin, walk.normal, walk.ray, point.hit());
+    share = walk.pdf / (walk.pdf + other);
+  }
+  walk.radiance->add(*lamp * walk.throughput, share);
+}
+
+/// @param scatter  what turns light at this vertex: `value(direction, f)` writes f |cos| per lane
+///                 and returns the density of going on that way, or a negative number where no
+///                 light can come from; `ray(direction)`, `position()`, `normal()`
+template <class Scatter>
+void PathSolver::add_lights(const Walk& walk, const Scatter& scatter) {
+  std::uint32_t number = first_target;
+  Spectrum light{scene_->lanes().count()};
+  for (const Target& target : scene_->targets()) {
+    const Vec3 towards = direction_in_disc(target, walk.numbers.point(number));
+    const Sampler numbers = walk.numbers.child(Branch::shadow + number++);
+    if (towards.z <= 0.0) continue;  // set behind the horizon
+    const double pdf = scatter.value(towards, light);
+    if (pdf < 0.0) continue;
+    ++counters_.target_rays;
+    light *= target.irradiance;
+    if (!passes(*scene_, scatter.ray(towards), numbers, light)) continue;
+    light *= walk.throughput;
+    walk.radiance->add(light, 1.0 / (1.0 + pdf * target.solid_angle));
+  }
+  if (scene_->lamps().empty()) return;
+  const auto lamp = scene_->lamps().sample(scatter.position(), scatter.normal(),
+                                           walk.numbers.number(Dimension::lamp_choice),
+                                           walk.numbers.point(Dimension::lamp_place));
+  if (!lamp) return;
+  const double pdf = scatter.value(lamp->direction, light);
+  if (pdf < 0.0) return;
+  ++counters_.lamp_rays;
+  light *= lamp->irradiance;
+  const Ray ray = ray_to_lamp(scatter.ray(lamp->direction).origin, scatter.position(), *lamp);
+  if (!passes(*scene_, ray, walk.numbers.child(Branch::shadow), light)) return;
+  light *= walk.throughput;
+  walk.radiance->add(light, lamp->pdf > 0.0 ? lamp->pdf / (lamp->pdf + pdf) : 1.0);
+}
+
+namespace {
+
+/// Density of a direction under the mixture of scattering function and sky.
+double mixed_pdf(const SkyDistribution& sky, double surface_pdf, Vec3 towards) {
+  if (sky.empty()) return surface_pdf;
+  return (1.0 - sky_share) * surface_pdf + sky_share * sky.pdf(towards);
+}
+
+struct SurfaceScatter {
+  const LitScene& scene;
+  const SurfacePoint& point;
+
+  double value(Vec3 towards, Spectrum& f) const {
+    const Vec3 wi = point.to_local(towards);
+    if (!point.admits(towards, wi)) return -1.0;
+    f = materials::eval(point.material().scattering, wi, point.wo());
+    f *= static_cast<float>(std::abs(wi.z));
+    return mixed_pdf(scene.sky_distribution(),
+                     materials::pdf(point.material().scattering, wi, point.wo()), towards);
+  }
+  [[nodiscard]] Ray ray(Vec3 towards) const { return point.leaving(towards); }
+  [[nodiscard]] Vec3 position() const { return point.hit().position; }
+  [[nodiscard]] Vec3 normal() const { return point.lit_normal(); }
+};
+
+struct VolumeScatter {
+  const VolumeEvent& event;
+  Vec3 wo;
+
+  double value(Vec3 towards, Spectrum& f) const {
+    f = event.phase->eval(towards, wo);
+    return event.phase->pdf(towards, wo);
+  }
+  [[nodiscard]] Ray ray(Vec3 towards) const { return {event.position, towards}; }
+  [[nodiscard]] Vec3 position() const { return event.position; }
+  [[nodiscard]] static Vec3 normal() { return {}; }
+};
+
+}  // namespace
+
+void PathSolver::add_surface_lights(const Walk& walk, const SurfacePoint& point) {
+  add_lights(walk, SurfaceScatter{*scene_, point});
+}
+
+std::optional<PathSolver::Draw> PathSolver::draw(const Walk& walk,
+                                                 const SurfacePoint& point) const {
+  const auto& model = point.material().scattering;
+  const SkyDistribution& sky = scene_->sky_distribution();
+  const Vec2 u = walk.numbers.point(Dimension::direction);
+  const bool to_sky = !sky.empty() && walk.numbers.number(Dimension::technique) < sky_share;
+  if (to_sky) {
+    const Vec3 towards = sky.sample(u);
+    const Vec3 wi = point.to_local(towards);
+    if (!point.admits(towards, wi)) return std::nullopt;
+    const double pdf = mixed_pdf(sky, materials::pdf(model, wi, point.wo()), towards);
+    Spectrum weight = materials::eval(model, wi, point.wo());
+    weight *= static_cast<float>(std::abs(wi.z) / pdf);
+    return Draw{towards, weight, pdf};
+  }
+  const auto drawn =
+      materials::sample(model, point.wo(), {walk.numbers.number(Dimension::lobe), u});
+  if (!drawn) return std::nullopt;
+  const Vec3 towards = point.to_scene(drawn->wi);
+  if (!point.admits(towards, drawn->wi)) return std::nullopt;
+  Draw result{towards, drawn->weight, drawn->pdf};
+  const double surface_share = sky.empty() ? 1.0 : 1.0 - sky_share;
+  if (drawn->delta) {
+    result.pdf = 0.0;
+    result.straight =
+        passes_shadow_rays(point.material()) && dot(towards, walk.ray.direction) > 1.0 - 1e-12;
+    if (!sky.empty()) result.weight *= static_cast<float>(1.0 / surface_share);
+  } else if (!sky.empty()) {
+    result.pdf = mixed_pdf(sky, drawn->pdf, towards);
+    result.weight *= static_cast<float>(drawn->pdf / result.pdf);
+  }
+  return result;
+}
+
+bool PathSolver::bounce(Walk& walk, const SurfacePoint& point) {
+  const int limit = scene_->description().path_max_bounces;
+  if (limit > 0 && walk.bounces >= limit) {
+    ++counters_.bounce_limit_stops;
+    return false;
+  }
+  const auto drawn = draw(walk, point);
+  if (!drawn) return false;
+  walk.throughput *= drawn->weight;
+  walk.ray = point.leaving(drawn->direction);
+  if (!drawn->straight) {
+    walk.origin = point.hit().position;
+    walk.normal = point.lit_normal();
+    walk.pdf = drawn->pdf;
+  }
+  return survives(walk);
+}
+
+bool PathSolver::scatter_in_volume(Walk& walk, const VolumeEvent& event) {
+  const int limit = scene_->description().path_max_bounces;
+  const Vec3 wo = -walk.ray.direction;
+  add_lights(walk, VolumeScatter{event, wo});
+  if (limit > 0 && walk.bounces >= limit) {
+    ++counters_.bounce_limit_stops;
+    return false;
+  }
+  ++counters_.volume_events;
+  const materials::PhaseSample drawn = event.phase->sample(
+      wo, walk.numbers.number(Dimension::lobe), walk.numbers.point(Dimension::direction));
+  walk.throughput *= drawn.weight;
+  walk.ray = {event.position, drawn.direction};
+  walk.origin = event.position;
+  walk.normal = {};
+  walk.pdf = drawn.pdf;
+  return survives(walk);
+}
+
+bool PathSolver::survives(Walk& walk) {
+  // The first ray that leaves is never given up: most of what a pixel sees arrives by it.
+  const int bounces = walk.bounces++;
+  const double strength = static_cast<double>(walk.throughput.mean());
+  if (!(strength > 0.0)) return false;
+  if (bounces > 0) {
+    const double chance = std::min(strength, bounces < endless ? 1.0 : endless_survival);
+    if (walk.numbers.number(Dimension::roulette) >= chance) {
+      ++counters_.roulette_stops;
+      return false;
+    }
+    walk.throughput *= static_cast<float>(1.0 / chance);
+  }
+  walk.numbers = walk.numbers.child(Branch::next);
+  return true;
+}
+
+}  // namespace nadir::radiometry

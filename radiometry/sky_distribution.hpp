@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "atmosphere/atmosphere.hpp"
+#include "core/vec.hpp"
+
+namespace nadir::radiometry {
+
+/// Where the sky is bright: a piecewise constant density over directions in proportion to the
+/// lane-averaged radiance, from which rays towards the sky are drawn. Empty for a sky that is even
+/// or dark: the scattering function then samples it best.
+class SkyDistribution {
+ public:
+  SkyDistribution() = default;
+  explicit SkyDistribution(const atmosphere::BoundAtmosphere& air);
+
+  [[nodiscard]] bool empty() const noexcept { return cumulative_.empty(); }
+  [[nodiscard]] Vec3 sample(Vec2 u) const noexcept;
+  [[nodiscard]] double pdf(Vec3 direction) const noexcept;  ///< sr^-1; 1 / 4 pi on average
+
+ private:
+  std::vector<double> cumulative_;  // running sums over cells of equal solid angle, the last is 1
+};
+
+}  // namespace nadir::radiometry
