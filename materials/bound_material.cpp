@@ -21,6 +21,8 @@ using spectral::Spectrum;
 // Sums that are off by less are rounding: tables carry five or six digits.
 constexpr double rounding = 1e-6;
 
+double rounded(double value) { return static_cast<double>(static_cast<float>(value)); }
+
 std::string subject(const Material& material) { return "material \"" + material.name + "\": "; }
 
 InputIssue issue(const Material& material, const std::string& message) {
@@ -127,6 +129,9 @@ class Curves {
     double rho = from_rho ? given : rest, eps = from_rho ? rest : given;
     const bool both = has_rho && has_eps;
     if (both) eps = material_.emissivity->at(at);
+    // What is absorbed is what the float lanes lack of 1: beside a reflectance of 0.999999 the
+    // rounding of that would be a per cent of the emissivity.
+    if (!both && from_rho) eps = 1.0 - rounded(rho) - rounded(tau);
     note_excess(rho + tau + eps, at);
     reflectance[lane] = static_cast<float>(std::max(rho, 0.0));
     transmittance[lane] = static_cast<float>(tau);

@@ -15,7 +15,6 @@ namespace nadir::radiometry {
 namespace {
 
 using spectral::Lanes;
-using spectral::Spectrum;
 
 /// Gathers the mistakes of one volume.
 class Check {

@@ -54,8 +54,8 @@ float GridField::at(Vec3 unit) const noexcept {
 }
 
 GridField::Range GridField::block(const std::array<int, 3>& index) const noexcept {
-  return ranges_[static_cast<std::size_t>((index[2] * blocks_[1] + index[1]) * blocks_[0] +
-                                          index[0])];
+  const int number = (index[2] * blocks_[1] + index[1]) * blocks_[0] + index[0];  // 32^3 at most
+  return ranges_[static_cast<std::size_t>(number)];
 }
 
 void GridField::tabulate_blocks() {
@@ -80,7 +80,7 @@ GridField::Range GridField::range_of(const std::array<int, 3>& block) const {
   Range range{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
   for (int z = first[2]; z <= last[2]; ++z) {
     for (int y = first[1]; y <= last[1]; ++y) {
-      const auto line = static_cast<std::ptrdiff_t>(z * cells_[1] + y) * cells_[0];
+      const auto line = (std::ptrdiff_t{z} * cells_[1] + y) * cells_[0];
       const auto begin = grid_->value.begin() + line;
       const auto [lo, hi] = std::minmax_element(begin + first[0], begin + last[0] + 1);
       range = {std::min(range.lo, *lo), std::max(range.hi, *hi)};

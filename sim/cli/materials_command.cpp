@@ -32,23 +32,17 @@ const spectral::Lanes shown{
 
 struct Row {
   std::string name, description;
-  materials::BoundMaterial values;
+  spectral::Spectrum reflectance, emissivity;
 };
 
-MaterialInput input_of(const LibraryMaterial& entry) {
-  MaterialInput input;
-  input.name = entry.name;
-  input.description = entry.description;
-  input.reflectance = entry.reflectance;
-  input.emissivity = entry.emissivity;
-  return input;
-}
-
+/// Seen from straight above.
 Row row_of(const LibraryMaterial& entry) {
   InputFiles files;
   Diagnostics diagnostics;
-  const auto material = load_material(input_of(entry), files);
-  return {entry.name, entry.description, materials::bind(material, shown, diagnostics)};
+  const auto bound = materials::bind(load_material(entry, files), shown, diagnostics);
+  const Vec3 above{0.0, 0.0, 1.0};
+  return {entry.name, entry.description, materials::albedo(bound.scattering, above).reflectance,
+          bound.emissivity(above)};
 }
 
 void keep_named(std::vector<LibraryMaterial>& entries, const std::string& name) {
@@ -71,8 +65,8 @@ void print_json(const std::vector<Row>& rows) {
     nlohmann::ordered_json entry{{"name", row.name}, {"description", row.description}};
     for (int lane = 0; lane < shown.count(); ++lane) {
       entry["wavelength_um"].push_back(shown[lane].value);
-      entry["reflectance"].push_back(row.values.reflectance[lane]);
-      entry["emissivity"].push_back(row.values.emissivity[lane]);
+      entry["reflectance"].push_back(row.reflectance[lane]);
+      entry["emissivity"].push_back(row.emissivity[lane]);
     }
     all.push_back(std::move(entry));
   }
@@ -88,7 +82,7 @@ void print_table(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     fmt::print("{:<{}}", row.name, width);
     for (int lane = 0; lane < shown.count(); ++lane) {
-      fmt::print(" {:6.3f}", row.values.reflectance[lane]);
+      fmt::print(" {:6.3f}", row.reflectance[lane]);
     }
     fmt::print("   {}\n", row.description);
   }

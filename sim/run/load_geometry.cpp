@@ -9,6 +9,7 @@
 #include "sim/files/instance_list.hpp"
 #include "sim/files/raster.hpp"
 #include "sim/run/error_list.hpp"
+#include "sim/run/load_lamps.hpp"
 #include "sim/run/place.hpp"
 #include "sim/run/read_surface.hpp"
 
@@ -40,7 +41,16 @@ class GeometryReader {
     add_nested(input, {Affine{}}, object);
   }
 
-  [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_}; }
+  void add_lamps(const Scenario& scenario) {
+    LoadedLamps loaded = load_lamps(scenario, terrain_,
+                                    static_cast<std::uint32_t>(scenario.geometry.size()), *files_);
+    for (const LampSurface& lamp : loaded.surfaces) {
+      builder_.add(lamp.surface, lamp.placement, lamp.object);
+    }
+    lamps_ = std::move(loaded.lamps);
+  }
+
+  [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_, std::move(lamps_)}; }
 
  private:
   [[nodiscard]] std::vector<Affine> read_list(const InstancesInput& input) {
@@ -75,6 +85,7 @@ class GeometryReader {
   InputFiles* files_;
   geometry::SceneBuilder builder_;
   TerrainProbe terrain_;
+  std::vector<radiometry::Lamp> lamps_;
 };
 
 }  // namespace
@@ -103,6 +114,7 @@ LoadedGeometry load_geometry(const Scenario& scenario, const geometry::LocalFram
       }
     });
   }
+  errors.attempt([&] { reader.add_lamps(scenario); });
   errors.throw_if_any();
   return reader.finish();
 }

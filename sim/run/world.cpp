@@ -9,8 +9,11 @@
 #include "sim/run/error_list.hpp"
 #include "sim/run/load_camera.hpp"
 #include "sim/run/load_geometry.hpp"
+#include "sim/run/load_lamps.hpp"
 #include "sim/run/load_light.hpp"
+#include "sim/run/load_maps.hpp"
 #include "sim/run/load_materials.hpp"
+#include "sim/run/load_volumes.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -66,10 +69,13 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   std::optional<LoadedGeometry> geometry;
   ephemeris::Illumination illumination;
   atmosphere::Atmosphere air;
+  std::vector<materials::MaterialMap> maps;
+  std::vector<radiometry::Volume> volumes;
   Camera camera;
 
   ErrorList errors;
-  errors.attempt([&] { materials = load_materials(scenario, files); });
+  errors.attempt([&] { materials = load_materials(scenario, frame, files, diagnostics); });
+  errors.attempt([&] { maps = load_maps(scenario, materials, frame, files, diagnostics); });
   errors.attempt([&] { illumination = load_illumination(scenario, files); });
   errors.attempt([&] { air = load_atmosphere(scenario, files); });
   errors.attempt([&] { geometry = load_geometry(scenario, frame, files); });
@@ -79,12 +85,22 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   errors.attempt([&] {
     if (geometry) check_extent(geometry->scene, diagnostics);
   });
+  errors.attempt([&] {
+    if (geometry) volumes = load_volumes(scenario, geometry->terrain, files);
+  });
+  errors.attempt([&] {
+    if (geometry) check_lamps(geometry->scene, scenario, geometry->lamps, diagnostics);
+  });
   errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);
-  return {scenario.file,
-          {geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
-           std::move(air), scenario.solver},
-          std::move(camera)};
+  World world{
+      scenario.file,
+      {geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
+       std::move(air), scenario.solver, std::move(maps), std::move(volumes),
+       std::move(geometry->lamps), scenario.method, scenario.path_max_bounces},
+      std::move(camera)};
+  check_cover(scenario, world.scene, diagnostics);
+  return world;
 }
 
 void check_memory(const World& world) {

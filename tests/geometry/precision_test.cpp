@@ -167,6 +167,7 @@ TEST_CASE("long thin triangles are hit where they are") {
   const TriangleMesh mesh{{{-500, 0, 0}, {500, 0, 0.3}, {500, 0.01, 0.3}, {-500, 0.01, 0}},
                           {{0, 1, 2}, {0, 2, 3}},
                           {},
+                          {},
                           {}};
   const TriangleMesh stored = rounded(mesh);
   const Scene scene = scene_of(surface(mesh));

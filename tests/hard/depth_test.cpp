@@ -101,9 +101,9 @@ TEST_CASE("path: a cloud that absorbs nothing cannot be told from an even sky ar
   scene.sky(7.0);
   const auto seen = hard_measure(scene.build(), visible, downward(50.0), 8, 32);
   CAPTURE(depth, seen.counters.volume_events);
-  // A thousand float products by numbers that are 1 but for rounding.
+  // Thousands of float products by numbers that are 1 but for rounding.
   check_right(seen, 7.0, 1e-4);
-  CHECK(seen.lanes[0].standard_error < (depth == 1.0 ? 0.03 : 1e-4) * 7.0);
+  CHECK(seen.lanes[0].standard_error < (depth == 1.0 ? 0.03 : 5e-4) * 7.0);
 }
 
 TEST_CASE("generic: the same cloud stays between dark and the sky", "[hard][depth]") {

@@ -138,7 +138,8 @@ TEST_CASE("a sun seen through a pane and by the ground beneath counts once, howe
 }
 
 TEST_CASE("a sun seen through a pane that is half frosted counts in full", "[hard][light]") {
-  // Shadow rays stop at a mixture of clear and frosted, so straight rays must bring it all.
+  // Shadow rays stop at a mixture of clear and frosted, so straight rays must bring it all: much
+  // noise, but no loss.
   const auto part = [](double weight, const materials::Material& m) {
     return materials::Mixture::Part{weight, std::make_shared<const materials::Material>(m)};
   };
@@ -155,7 +156,7 @@ TEST_CASE("a sun seen through a pane that is half frosted counts in full", "[har
     const auto seen = hard_measure(scene.build(), visible, downward(1.0), 16, 128);
     CAPTURE(name_of(method));
     check_right(seen, 0.5 * 0.5 * 1000.0 / pi);
-    CHECK(seen.lanes[0].standard_error < 0.03 * seen.lanes[0].mean);
+    CHECK(seen.lanes[0].standard_error < 0.1 * seen.lanes[0].mean);
   }
 }
 

@@ -87,7 +87,7 @@ std::vector<Model> all_models() {
            Curve::constant(0.2), Curve::constant(0.8), Curve::constant(-0.1), {}}),
        tabulated},
       {"hapke", own(Hapke{Curve::constant(0.7), 0.3, 0.3, 0.5, 0.1, 0.2}), tabulated},
-      {"measured", own(Measured{smooth_table()}), tabulated},
+      {"measured", own(materials::Measured{smooth_table()}), tabulated},
   };
   all.push_back({"mixture",
                  own(Mixture{{part(0.5, all[0].material), part(0.3, all[2].material),
@@ -107,7 +107,7 @@ SceneDescription furnace(const Material& material, bool as_disc) {
   } else {
     scene.add(geometry::Sphere{{}, 1.0}, index);
   }
-  scene.solver = {.initial_sample_count = 2,
+  scene.solver = {.initial_sample_count = 1,
                   .sample_decay_rate = 1.0,
                   .max_bounces = 9,
                   .mu_samples = 3,
@@ -120,12 +120,12 @@ void check_furnace(const Model& model, bool as_disc) {
   Diagnostics diagnostics;
   const LitScene lit{description, lanes, diagnostics};
   const Vec3 eye{2.5, 1.0, 2.0};
-  for (const Vec3 aim : {Vec3{}, Vec3{0.3, 0.6, -0.45}, Vec3{-0.8, 0.35, -0.25}}) {
+  for (const Vec3 aim : {Vec3{}, Vec3{0.3, 0.6, -0.45}}) {  // the second grazes
     const geometry::Ray ray{eye, normalised(aim - eye)};
     for (const Method method : both) {
-      const Measured seen = method == Method::path
-                                ? measure_with(PathSolver{lit}, lit, ray, 16, 512, 1)
-                                : measure_with(GenericSolver{lit}, lit, ray, 16, 4, 1);
+      const test::Measured seen = method == Method::path
+                                      ? measure_with(PathSolver{lit}, lit, ray, 16, 256, 1)
+                                      : measure_with(GenericSolver{lit}, lit, ray, 16, 16, 1);
       for (int i = 0; i < lanes.count(); ++i) {
         const double expected = spectral::planck(lanes[i], 300.0_K).value;
         const Estimate& lane = seen.lanes[static_cast<std::size_t>(i)];

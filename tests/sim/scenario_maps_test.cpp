@@ -203,14 +203,14 @@ TEST_CASE("maps that contradict themselves are located", "[scenario][maps][mista
   CHECK(told("", "<fraction band=\"1\" material=\"a\"/><fraction band=\"1\" material=\"b\"/>") ==
         "11:44: band 1 has a material already\n");
   CHECK(told("band=\"1\"", "<fraction band=\"1\" material=\"a\"/>") ==
-        "10:50: band is for choices; each fraction names its own\n");
+        "10:47: band is for choices; each fraction names its own\n");
   CHECK(told("west_m=\"0\"", one) ==
         "10:1: <material_map> lacks south_m: give all four edges or none\n");
   CHECK(told("west_m=\"0\" east_m=\"0\" south_m=\"0\" north_m=\"1\"", one) ==
-        "10:61: east_m must be greater than west_m\n");
-  CHECK(told("size_u=\"2\"", one) == "10:50: size_u is for maps with drape=\"texture\"\n");
+        "10:58: east_m must be greater than west_m\n");
+  CHECK(told("size_u=\"2\"", one) == "10:47: size_u is for maps with drape=\"texture\"\n");
   CHECK(told("drape=\"texture\" west_m=\"1\"", one) ==
-        "10:66: west_m is for maps with drape=\"ground\"\n");
+        "10:63: west_m is for maps with drape=\"ground\"\n");
   CHECK(mistake_lines(with_map("<material_map name=\"grey\" raster=\"ground.asc\">" + one +
                                "</material_map>\n<material name=\"grey\" reflectance=\"1\"/>"))
             .find("11:11: material \"grey\" is there already, in line 10") != std::string::npos);
@@ -220,7 +220,7 @@ TEST_CASE("maps that contradict themselves are located", "[scenario][maps][mista
                      "band_low_um=\"0.7\" band_high_um=\"0.6\"><spectrum reflectance=\"0.1\"/>"
                      "<spectrum reflectance=\"0.2\"/></contrast_map>")) ==
         "11:47: the scattering model of this material brings its own spectra, so that there is "
-        "none to choose\n11:83: band_high_um must be greater than band_low_um\n");
+        "none to choose\n11:82: band_high_um must be greater than band_low_um\n");
 }
 
 TEST_CASE("a height raster becomes slopes in the scene's axes", "[scenario][maps]") {
