@@ -29,8 +29,8 @@ using spectral::Spectrum;
 /// How much is computed. The reference has 64 times the paths of a row, or more: expensive rows end
 /// after `rays_per_row` rays, whatever the clock says, so that runs repeat bit by bit.
 struct Effort {
-  int paths_per_round = 16;  ///< and view: a round times both solvers in turn
-  int rounds = 32;
+  int paths_per_round = 4;  ///< and view: a round times both solvers in turn
+  int rounds = 128;
   int reference_factor = 64;
   double rays_per_row = 1e7;
 };
@@ -45,7 +45,8 @@ struct Row {
   SolverSettings settings;
 };
 
-std::vector<Row> rows() {
+/// @param lights  rays to lights that each hit sends
+std::vector<Row> rows(int lights) {
   std::vector<Row> all;
   const auto add = [&](const std::string& label, auto change) {
     Row row{label, {}};
@@ -71,12 +72,16 @@ std::vector<Row> rows() {
   for (const int n : {0, 2}) {
     add("top-up " + std::to_string(n), [n](SolverSettings& s) { s.min_quad_samples = n; });
   }
-  add("thin and deep: 2 samples, decay 1, 12 bounces, top-up 0", [](SolverSettings& s) {
-    s = {.initial_sample_count = 2, .sample_decay_rate = 1.0, .max_bounces = 12};
-    s.min_quad_samples = 0;
-  });
-  add("thin, deep, topped up: 2 samples, decay 1, 12 bounces", [](SolverSettings& s) {
-    s = {.initial_sample_count = 2, .sample_decay_rate = 1.0, .max_bounces = 12};
+  // What is left of the budget when the lights have had theirs: one ray, which goes on and on.
+  const SolverSettings thin{.initial_sample_count = lights + 1,
+                            .sample_decay_rate = 1.0,
+                            .max_bounces = 30,
+                            .min_quad_samples = 0};
+  add("thin and deep: 1 + lights samples, decay 1, 30 bounces, top-up 0",
+      [&](SolverSettings& s) { s = thin; });
+  add("the same with top-up 1", [&](SolverSettings& s) {
+    s = thin;
+    s.min_quad_samples = 1;
   });
   return all;
 }
@@ -359,8 +364,9 @@ std::vector<Result> study(const StudyScene& scene, const Effort& effort) {
   const LitScene lit{scene.description, scene.lanes, diagnostics};
   const std::vector<double> weights = lane_weights(scene, lit);
   std::vector<Result> results{measure_reference(scene, lit, weights, effort)};
+  const int lights = static_cast<int>(lit.targets().size()) + (lit.lamps().empty() ? 0 : 1);
   std::uint64_t seed = 1000;
-  for (const Row& row : rows()) {
+  for (const Row& row : rows(lights)) {
     std::cerr << scene.name << ": " << row.label << "\n";
     results.push_back(measure_row(row, scene, weights, effort, seed++));
   }

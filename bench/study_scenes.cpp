@@ -177,8 +177,8 @@ void add_village(Maker& make) {
   const auto roof = make.material(
       lambertian(curve({0.4, 0.8, 8.0, 12.0}, {0.15, 0.25, 0.10, 0.07})), Kelvin{274.0});
   const auto cover = make.material(grey(0.1), Kelvin{285.0});
-  const Curve white{{0.4, 0.55, 0.75}, {20.0, 45.0, 30.0}, spectral::Outside::zero};
-  const Curve warm{{0.4, 0.55, 0.75}, {1.0, 5.0, 9.0}, spectral::Outside::zero};
+  const Curve white = curve({0.4, 0.55, 0.75, 0.8, 14.0}, {20.0, 45.0, 30.0, 0.0, 0.0});
+  const Curve warm = curve({0.4, 0.55, 0.75, 0.8, 14.0}, {1.0, 5.0, 9.0, 0.0, 0.0});
   for (int row = -2; row < 2; ++row) {
     for (int column = -2; column < 2; ++column) {
       const Vec3 lo{18.0 * column + 4.0, 18.0 * row + 4.0, 0.0};

@@ -22,18 +22,20 @@ bool frame_along(Vec3 z, Vec3 along, Frame& frame) {
 }
 
 /// The surface's own axes, which do not depend on the view.
-Frame own_frame(const Hit& hit, Vec3 outward) {
+/// @param tangent  its texture's, or 0
+Frame own_frame(Vec3 tangent, Vec3 outward) {
   Frame frame;
-  if (dot(hit.tangent, hit.tangent) > 0.0 && frame_along(outward, hit.tangent, frame)) return frame;
+  if (dot(tangent, tangent) > 0.0 && frame_along(outward, tangent, frame)) return frame;
   if (frame_along(outward, {1.0, 0.0, 0.0}, frame)) return frame;
   frame_along(outward, {0.0, 1.0, 0.0}, frame);
   return frame;
 }
 
-Vec3 bumped(const materials::ReliefMap& relief, const Hit& hit, const Frame& own) {
+/// The normal of a bumped surface. Slopes of a draped relief count along east and north.
+Vec3 bumped(const materials::ReliefMap& relief, const Hit& hit, Vec3 outward) {
   const bool draped = relief.frame.by == materials::MapFrame::By::ground;
   const Vec2 place = draped ? Vec2{hit.position.x, hit.position.y} : hit.texture;
-  return own.to_world(relief.normal_at(place));
+  return own_frame(draped ? Vec3{} : hit.tangent, outward).to_world(relief.normal_at(place));
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ SurfacePoint::SurfacePoint(const LitScene& scene, const geometry::Ray& ray, cons
   const Vec3 view = -ray.direction;
   const materials::ReliefMap* relief = scene.relief(hit.material);
   if (relief != nullptr) {
-    const Vec3 normal = bumped(*relief, hit, own_frame(hit, outward));
+    const Vec3 normal = bumped(*relief, hit, outward);
     // A bump that is seen from behind would show the inside of the surface: it is flat there.
     if (dot(normal, view) * dot(outward, view) > 0.0) {
       outward = normal;
@@ -52,7 +54,7 @@ SurfacePoint::SurfacePoint(const LitScene& scene, const geometry::Ray& ray, cons
     }
   }
   if (material_->traits.anisotropic) {
-    frame_ = own_frame(hit, outward);
+    frame_ = own_frame(hit.tangent, outward);
   } else if (!frame_along(outward, view, frame_)) {
     frame_ = frame_about(outward);
   }

@@ -74,8 +74,12 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   Camera camera;
 
   ErrorList errors;
-  errors.attempt([&] { materials = load_materials(scenario, frame, files, diagnostics); });
-  errors.attempt([&] { maps = load_maps(scenario, materials, frame, files, diagnostics); });
+  const bool have_materials =
+      errors.attempt([&] { materials = load_materials(scenario, frame, files, diagnostics); });
+  // Contrast maps compare the spectra of materials: without those each would be a mistake more.
+  errors.attempt([&] {
+    if (have_materials) maps = load_maps(scenario, materials, frame, files, diagnostics);
+  });
   errors.attempt([&] { illumination = load_illumination(scenario, files); });
   errors.attempt([&] { air = load_atmosphere(scenario, files); });
   errors.attempt([&] { geometry = load_geometry(scenario, frame, files); });

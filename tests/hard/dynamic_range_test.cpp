@@ -67,6 +67,30 @@ TEST_CASE("a cellar beside a yard 1e12 times as bright shows its own warmth", "[
   }
 }
 
+TEST_CASE("mirror, pane, mist and lamp look alike to both solvers", "[hard][range]") {
+  SceneDescription scene = yard_and_cellar(Method::generic);
+  scene.solver = {.initial_sample_count = 6,
+                  .sample_decay_rate = 1.0,
+                  .max_bounces = 4,
+                  .mu_samples = 2,
+                  .phi_samples = 4};
+  const Vec3 eye{-5.0, 0.0, 15.0};
+  for (const Vec3 at : {Vec3{-3.6, 2.5, 1.5}, Vec3{-5.0, -4.0, 2.0}, Vec3{-8.0, 1.5, 0.0},
+                        Vec3{1.5, 1.0, 0.0}, Vec3{-4.5, -2.0, 0.0}}) {
+    const geometry::Ray ray{eye, normalised(at - eye)};
+    scene.method = Method::generic;
+    const Measured generic = measure(scene, lanes, ray, 16, 8);
+    scene.method = Method::path;
+    const Measured path = measure(scene, lanes, ray, 16, 4096);
+    check_sane(generic);
+    check_sane(path);
+    const Estimate a = generic.lanes[0], b = path.lanes[0];
+    CAPTURE(at.x, at.y, a.mean, a.standard_error, b.mean, b.standard_error, a.mean / b.mean);
+    CHECK(std::abs(a.mean - b.mean) <
+          4.0 * std::hypot(a.standard_error, b.standard_error) + 0.01 * b.mean);
+  }
+}
+
 struct Image {
   static constexpr int width = 20, height = 14;
   std::vector<float> radiance = std::vector<float>(width * height);

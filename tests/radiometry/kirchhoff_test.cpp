@@ -58,7 +58,7 @@ std::shared_ptr<const BrdfTable> smooth_table() {
 }
 
 std::vector<Model> all_models() {
-  constexpr double exact = 1e-5, tabulated = 1e-2;
+  constexpr double exact = 1e-5, tabulated = 2.5e-3;
   const Curve n = Curve::constant(1.5), metal_n = Curve::constant(2.0), k = Curve::constant(3.0);
   const auto part = [](double weight, const Material& m) {
     return Mixture::Part{weight, std::make_shared<const Material>(m)};
@@ -96,10 +96,11 @@ std::vector<Model> all_models() {
   return all;
 }
 
-/// A ball of the material, or a level disc, in the middle of a grey closed box.
+/// A ball of the material, or a slanted disc, in the middle of a closed box. Its walls are black:
+/// what is random is then only what the material itself does.
 SceneDescription furnace(const Material& material, bool as_disc) {
   SmallScene scene;
-  const auto wall = scene.material(grey(0.3), 300.0_K);
+  const auto wall = scene.material(grey(0.0), 300.0_K);
   scene.add(geometry::Box{{-3.0, -2.0, -2.5}, {3.0, 2.0, 2.5}}, wall);
   const auto index = scene.material(material, 300.0_K);
   if (as_disc) {
@@ -131,11 +132,9 @@ void check_furnace(const Model& model, bool as_disc) {
         const Estimate& lane = seen.lanes[static_cast<std::size_t>(i)];
         CAPTURE(model.name, as_disc, method == Method::path, aim.y, i, lane.mean / expected,
                 lane.standard_error / expected);
-        // 1e-3: ten generations of the generic solver leave 0.7^10 of a mirror's light times
-        // 0.3^n of the walls'.
-        const double bias = model.tolerance + (method == Method::path ? 0.0 : 1e-3);
         CHECK(lane.standard_error < 0.02 * expected);
-        CHECK(std::abs(lane.mean - expected) < 4.0 * lane.standard_error + bias * expected);
+        CHECK(std::abs(lane.mean - expected) <
+              4.0 * lane.standard_error + model.tolerance * expected);
       }
     }
   }
@@ -155,7 +154,7 @@ TEST_CASE("published: a ball of rough glass in an isothermal enclosure is a blac
   // counts as absorbed: it is emitted again, but from inside without the n^2. A few per cent at
   // most for facets as flat as these.
   const Model glass{"rough glass",
-                    own(Microfacet{.alpha_x = 0.05, .alpha_y = 0.05, .transmits = true}), 0.02};
+                    own(Microfacet{.alpha_x = 0.05, .alpha_y = 0.05, .transmits = true}), 0.01};
   check_furnace(glass, false);
 }
 

@@ -29,7 +29,7 @@ materials::SolverSettings long_walks(int mu = 4, int phi = 8) {
 
 void check_mean(const Estimate& seen, double expected, double systematic = 1e-5) {
   CAPTURE(seen.mean, seen.standard_error, expected);
-  CHECK(seen.standard_error < 0.01 * expected);  // or agreement would be no news
+  CHECK(seen.standard_error < 0.015 * expected);  // or agreement would be no news
   CHECK(std::abs(seen.mean - expected) < 4.0 * seen.standard_error + systematic * expected);
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("published: two endless grey plates have their radiosities", "[radiome
                   scene.material(grey(1.0 - c.eps1), first ? warm : cold));
         scene.add(geometry::Plane{{0.0, 0.0, 1.0}, 4000.0, 4000.0},
                   scene.material(grey(1.0 - c.eps2), first ? cold : warm));
-        const Estimate seen = measure(scene.build(), one_lane, downward(0.5), 16, 512).lanes[0];
+        const Estimate seen = measure(scene.build(), one_lane, downward(0.5), 16, 256).lanes[0];
         const double t = first ? c.t1.value : c.t2.value;
         const double scale = stefan_boltzmann * t * t * t * t / planck_here(warm);
         radiosity += scale * seen.mean;
@@ -277,10 +277,10 @@ TEST_CASE("published: a grey street canyon has the radiosities of Hottel's cross
     description.method = method;
     CAPTURE(name_of(method));
     const Measured floor =
-        measure(description, one_lane, {{0.5 * width, 0.0, 0.5}, {0.0, 0.0, -1.0}}, 16, 2048);
+        measure(description, one_lane, {{0.5 * width, 0.0, 0.5}, {0.0, 0.0, -1.0}}, 16, 1024);
     check_mean(floor.lanes[0], exact.radiosity[n + n / 2], 3e-4);
     const Measured wall =
-        measure(description, one_lane, {{5.0, 0.0, 0.5 * height}, {1.0, 0.0, 0.0}}, 16, 2048);
+        measure(description, one_lane, {{5.0, 0.0, 0.5 * height}, {1.0, 0.0, 0.0}}, 16, 1024);
     check_mean(wall.lanes[0], exact.radiosity[2 * n + n / 2], 3e-4);
   }
 }
