@@ -30,11 +30,11 @@ using spectral::Spectrum;
 /// after `rays_per_row` rays, whatever the clock says, so that runs repeat bit by bit.
 struct Effort {
   int paths_per_round = 4;  ///< and view: a round times both solvers in turn
-  int rounds = 128;
+  int rounds = 512;
   int reference_factor = 64;
-  double rays_per_row = 1e7;
+  double rays_per_row = 6e6;
 };
-constexpr Effort full_effort{}, quick_effort{2, 2, 8, 2e5};
+constexpr Effort quick_effort{2, 2, 8, 2e5};
 constexpr int fewest_rounds = 2;
 constexpr double significant = 3.0;  // standard errors; one of 370 rows without bias exceeds it
 
@@ -268,7 +268,9 @@ Estimate relative_percent(const Estimate& a, const Estimate& b) {
 
 std::string shown(const Estimate& bias) {
   const bool real = std::abs(bias.mean) > significant * bias.standard_error;
-  return text(real ? "**%+.2f** ± %.2f" : "%+.2f ± %.2f", bias.mean, bias.standard_error);
+  const int digits = bias.standard_error < 0.01 ? 3 : 2;
+  return text(real ? "**%+.*f** ± %.*f" : "%+.*f ± %.*f", digits, bias.mean, digits,
+              bias.standard_error);
 }
 
 double noise_percent(const Tally& tally, const Tally& reference, const LaneGroup& group) {
@@ -311,7 +313,7 @@ void print_group(std::ostream& out, const StudyScene& scene, std::size_t number,
     const double time = r.us / r.path_us;
     const double gain = path_noise * path_noise / (noise * noise * time);
     out << "| " << r.label << " | "
-        << (is_reference ? text("0 ± %.3f", 100.0 * truth.standard_error / truth.mean)
+        << (is_reference ? text("± %.3f", 100.0 * truth.standard_error / truth.mean)
                          : shown(relative_percent(r.tally.group(number), truth)))
         << " | " << (is_reference ? "" : worst_lane(scene, group, r.tally, reference.tally))
         << text(" | %.2f | %.1f | %.2f | %.3g |", noise, r.rays, time, gain)
@@ -332,7 +334,7 @@ void print_scene(std::ostream& out, const StudyScene& scene, const std::vector<R
 // ---- the program ------------------------------------------------------------------------------
 
 struct Options {
-  Effort effort = full_effort;
+  Effort effort;
   std::vector<std::string> scenes = study_scene_names();
   std::string markdown;
 };
@@ -350,11 +352,8 @@ Options read_options(const std::vector<std::string>& arguments) {
                        "\"; there are --quick, --scene NAME, --markdown FILE"};
     }
     if (++i == arguments.size()) throw InputError{name + " lacks its value"};
-    if (name == "--scene") {
-      options.scenes = {arguments[i]};
-    } else {
-      options.markdown = arguments[i];
-    }
+    if (name == "--scene") options.scenes = {arguments[i]};
+    if (name == "--markdown") options.markdown = arguments[i];
   }
   return options;
 }

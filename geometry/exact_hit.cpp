@@ -20,13 +20,11 @@ Vec3 vertex(const Item& item, std::uint32_t index) {
   return {v[0], v[1], v[2]};
 }
 
-Triangle triangle(const Item& item, const Instance* instance, std::uint32_t primitive) {
+Triangle triangle(const Item& item, const std::optional<Affine>& placement,
+                  std::uint32_t primitive) {
   const std::uint32_t* i = item.triangles + 3 * std::size_t{primitive};
   Triangle t{vertex(item, i[0]), vertex(item, i[1]), vertex(item, i[2])};
-  if (instance) {
-    const Affine placement = instance->placement();
-    t = {placement.point(t.a), placement.point(t.b), placement.point(t.c)};
-  }
+  if (placement) t = {placement->point(t.a), placement->point(t.b), placement->point(t.c)};
   return t;
 }
 
@@ -63,12 +61,11 @@ std::optional<ExactHit> hit_triangle(const RayQuery& query, const Triangle& tri,
 }
 
 std::optional<ExactHit> hit_shape(const RayQuery& query, const PlacedShape& placed,
-                                  const Instance* instance) {
+                                  const std::optional<Affine>& placement) {
   Affine to_scene = placed.to_scene, from_scene = placed.from_scene;
-  if (instance) {
-    const Affine placement = instance->placement();
-    to_scene = placement * to_scene;
-    from_scene = from_scene * placement.inverse();
+  if (placement) {
+    to_scene = *placement * to_scene;
+    from_scene = from_scene * placement->inverse();
   }
   const auto local = first_hit(placed.shape, from_scene.point(query.origin),
                                from_scene.vector(query.direction), query.t_max);
@@ -91,14 +88,16 @@ std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found) {
   }
   const Item& item = instance ? data.prototypes[instance->prototype].items[found.geometry]
                               : data.items[found.geometry];
-  auto hit = item.shape ? hit_shape(query, *item.shape, instance)
-                        : hit_triangle(query, triangle(item, instance, found.primitive), found);
+  std::optional<Affine> placement;
+  if (instance) placement = data.placement(*instance);
+  auto hit = item.shape ? hit_shape(query, *item.shape, placement)
+                        : hit_triangle(query, triangle(item, placement, found.primitive), found);
   if (!hit) return hit;
   hit->primitive = found.primitive;
   hit->item = &item;
   hit->instance = instance;
   if (!item.shape) {
-    const bool turned = instance && instance->placement().linear.determinant() < 0.0;
+    const bool turned = instance && instance->mirrored;
     if (turned != item.mirrored) hit->normal = -hit->normal;
   }
   return hit;

@@ -41,6 +41,6 @@ struct ExactHit {
 [[nodiscard]] std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found);
 
 /// Fills in the texture coordinates and the tangent of a hit on a mesh that has them.
-void add_texture(const ExactHit& exact, Hit& hit);
+void add_texture(const Scene::Data& data, const ExactHit& exact, Hit& hit);
 
 }  // namespace nadir::geometry

@@ -133,7 +133,7 @@ Hit finished(const RayQuery& query, const ExactHit& exact) {
       std::max(lift_steps * rounding_at(data, exact.position), 0x1.0p-48 * largest(hit.position));
   const double to_middle = length(exact.inward);
   if (to_middle > 0.0) hit.inset = std::min(hit.lift / to_middle, 0.25) * exact.inward;
-  if (!exact.item->texture.empty()) add_texture(exact, hit);
+  if (!exact.item->texture.empty()) add_texture(data, exact, hit);
   return hit;
 }
 

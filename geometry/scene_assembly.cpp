@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -109,32 +110,34 @@ double stretch_back(const std::vector<Affine>& placements) {
   return std::sqrt(largest_squared);
 }
 
-Instance instance_of(const Affine& placement, Vec3 prototype_centre, Vec3 scene_centre) {
+/// Columns of the transform from the prototype's axes about its centre to the scene's about its
+/// own, as Embree gets them.
+std::array<float, 12> columns_of(const Affine& placement, Vec3 prototype_centre,
+                                 Vec3 scene_centre) {
   const Mat3& m = placement.linear;
   const Vec3 origin = placement.point(prototype_centre) - scene_centre;
-  Instance instance;
-  auto* out = instance.columns.data();
+  std::array<float, 12> columns{};
+  auto* out = columns.data();
   for (const Vec3& column : {m.x, m.y, m.z, origin}) {
     *out++ = static_cast<float>(column.x);
     *out++ = static_cast<float>(column.y);
     *out++ = static_cast<float>(column.z);
   }
-  return instance;
+  return columns;
 }
 
 void attach_instances(Scene::Data& data, const GatheredPrototype& from, Vec3 prototype_centre) {
   const auto prototype = static_cast<std::uint32_t>(data.prototypes.size() - 1);
   for (std::size_t i = 0; i < from.placements.size(); ++i) {
-    Instance instance = instance_of(from.placements[i], prototype_centre, data.centre);
-    instance.prototype = prototype;
-    instance.object = from.object;
-    instance.number = static_cast<std::uint32_t>(i);
+    const auto columns = columns_of(from.placements[i], prototype_centre, data.centre);
     const GeometryHandle geometry{rtcNewGeometry(data.device.get(), RTC_GEOMETRY_TYPE_INSTANCE)};
     rtcSetGeometryInstancedScene(geometry.get(), data.prototypes.back().scene.get());
-    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            instance.columns.data());
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     attach(data.top.get(), geometry, data.items.size() + data.instances.size());
-    data.instances.push_back(instance);
+    data.instances.push_back({prototype, from.object, static_cast<std::uint32_t>(i), false});
+    // Of the rounded transform: it is the one that surfaces are placed by.
+    Instance& instance = data.instances.back();
+    instance.mirrored = data.placement(instance).linear.determinant() < 0.0;
   }
 }
 

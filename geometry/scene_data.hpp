@@ -41,18 +41,14 @@ struct Prototype {
   std::vector<Item> items;
 };
 
-/// A placement as Embree has it: columns in float, from prototype axes (about the prototype's
-/// centre) to scene axes (about the scene's centre).
+/// A placement. Its transform is Embree's, from prototype axes (about the prototype's centre) to
+/// scene axes (about the scene's centre), in float: kept here as well it would cost every tree
+/// another 48 bytes.
 struct Instance {
-  std::array<float, 12> columns{};
   std::uint32_t prototype = 0;
   std::uint32_t object = 0;
   std::uint32_t number = 0;
-
-  [[nodiscard]] Affine placement() const {
-    const auto& c = columns;
-    return {{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}}, {c[9], c[10], c[11]}};
-  }
+  bool mirrored = false;
 };
 
 struct Scene::Data {
@@ -66,6 +62,14 @@ struct Scene::Data {
   Vec3 centre;          ///< scene axes
   double extent = 0.0;  ///< largest half extent, m
   std::uint64_t stored = 0, represented = 0;
+
+  [[nodiscard]] Affine placement(const Instance& instance) const {
+    const auto index = items.size() + static_cast<std::size_t>(&instance - instances.data());
+    std::array<float, 12> c{};  // columns
+    rtcGetGeometryTransform(rtcGetGeometry(top.get(), static_cast<unsigned>(index)), 0.0F,
+                            RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, c.data());
+    return {{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}}, {c[9], c[10], c[11]}};
+  }
 };
 
 /// One unit of float rounding at a coordinate of 1.

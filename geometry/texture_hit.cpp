@@ -23,7 +23,7 @@ Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 
 /// With p = a + s e1 + t e2 and (u, v) linear in (s, t), dp/du follows from inverting the 2 x 2
 /// matrix of texture differences, here without its determinant's size: only the direction counts.
-void add_texture(const ExactHit& exact, Hit& hit) {
+void add_texture(const Scene::Data& data, const ExactHit& exact, Hit& hit) {
   const Item& item = *exact.item;
   const std::uint32_t* i = item.triangles + 3 * std::size_t{exact.primitive};
   const Corner a = corner(item, i[0]), b = corner(item, i[1]), c = corner(item, i[2]);
@@ -34,7 +34,7 @@ void add_texture(const ExactHit& exact, Hit& hit) {
   if (determinant == 0.0) return;
   Vec3 along = std::copysign(1.0, determinant) *
                (d2.y * (b.position - a.position) - d1.y * (c.position - a.position));
-  if (exact.instance) along = exact.instance->placement().vector(along);
+  if (exact.instance) along = data.placement(*exact.instance).vector(along);
   const double before = length(along);
   along = along - dot(along, hit.normal) * hit.normal;
   const double after = length(along);

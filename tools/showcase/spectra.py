@@ -84,7 +84,7 @@ def glass(library: pathlib.Path, folder: pathlib.Path) -> None:
 def water_body(folder: pathlib.Path) -> None:
     write(folder / "water_body.csv", "Harbour water: diffuse reflectance from below the surface", INVENTED, {
         "reflectance": lambda u: 0.0 if u > 0.9 else
-        0.008 + 0.028 * math.exp(-((u - 0.545) / 0.06) ** 2) * _edge(u, 0.44, 0.02)},
+        0.010 + 0.020 * math.exp(-((u - 0.53) / 0.08) ** 2) * _edge(u, 0.44, 0.03)},
         [0.35 + 0.02 * k for k in range(28)] + [0.92, 14.0])
 
 
@@ -103,8 +103,8 @@ def moon(library: pathlib.Path, folder: pathlib.Path) -> None:
 def smoke(folder: pathlib.Path) -> None:
     """Oil smoke: mostly scattering in the visible, grey soot absorption falling as 1 / lambda."""
     write(folder / "plume.csv", "Coefficients of the plume at its densest, 1/m", INVENTED, {
-        "absorption": lambda u: 0.10 * 0.55 / u + 0.03 if u > 2.5 else 0.10 * 0.55 / u,
-        "scattering": lambda u: 0.45 * (0.55 / u) ** 1.2,
+        "absorption": lambda u: 0.03 * 0.55 / u + (0.06 if u > 2.5 else 0.0),
+        "scattering": lambda u: 0.30 * (0.55 / u) ** 1.2,
     }, [0.35 + 0.05 * k for k in range(14)] + [1.5, 2.49, 2.51, 4.0, 8.0, 10.0, 12.0, 14.0])
 
 
@@ -136,16 +136,13 @@ def night_sky(library: pathlib.Path, folder: pathlib.Path) -> None:
 
 
 def lamps(folder: pathlib.Path) -> None:
-    """Diodes: a blue peak and a phosphor; sodium: lines about 0.589 um. Spectral flux of one lamp."""
+    """Diodes: a blue peak and a phosphor. Spectral flux of one lamp."""
     def diode(blue, centre):
         return lambda u: 0.0 if u > 0.85 else (
             blue * math.exp(-((u - 0.452) / 0.013) ** 2) + math.exp(-((u - centre) / 0.08) ** 2))
 
-    def sodium(u):
-        return 0.0 if u > 0.85 else (math.exp(-((u - 0.589) / 0.02) ** 2)
-                                     + 0.25 * math.exp(-((u - 0.6) / 0.045) ** 2) + 0.03)
     shapes = {"street_lamp": (diode(0.35, 0.61), 6000.0), "ceiling": (diode(1.1, 0.575), 40000.0),
-              "floodlight": (sodium, 26000.0), "beacon": (diode(0.9, 0.58), 9000.0)}
+              "floodlight": (diode(0.5, 0.59), 26000.0), "beacon": (diode(0.9, 0.58), 9000.0)}
     grid = [0.36 + 0.005 * k for k in range(99)] + [0.86, 14.2]
     write(folder / "lamps.csv", "Spectral flux of the lamps, W um^-1 in all directions together", INVENTED + [
         "note: " + ", ".join(f"{name} {lumens:.0f} lm" for name, (_, lumens) in shapes.items())],
@@ -161,19 +158,19 @@ def _scaled(shape, lumens: float, grid: list):
 
 
 def street_ies(path: pathlib.Path) -> None:
-    """A street luminaire: most light at 60 degrees along the road, cut off at 80."""
+    """A street luminaire: most light at 50 degrees from straight down, little beyond 65."""
     vertical = [0, 10, 20, 30, 40, 50, 55, 60, 65, 70, 75, 80, 85, 90]
     horizontal = [0, 30, 60, 90, 120, 150, 180]
     lines = ["IESNA:LM-63-2002", "[TEST] invented for this scene", "[MANUFAC] none", "TILT=NONE",
              f"1 6000 1 {len(vertical)} {len(horizontal)} 1 2 0.3 0.6 0.1", "1 1 90",
              " ".join(map(str, vertical)), " ".join(map(str, horizontal))]
     for h in horizontal:
-        side = 0.35 + 0.65 * math.sin(math.radians(h)) ** 2
+        side = 0.4 + 0.6 * math.cos(math.radians(h)) ** 2
         if h > 90:
             side *= 0.55  # house side
         row = []
         for v in vertical:
-            bat = 1.0 / max(0.15, math.cos(math.radians(min(v, 65)))) ** 2.2
-            row.append(round(700 * (side * bat if v > 20 else 1.0) * (1 - _edge(v, 72, 2.5))))
+            bat = 1.0 / math.cos(math.radians(min(v, 55))) ** 2
+            row.append(round(700 * (side * bat if v > 20 else 1.0) * (1 - _edge(v, 58, 3))))
         lines.append(" ".join(map(str, row)))
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
