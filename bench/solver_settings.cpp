@@ -1,6 +1,5 @@
 // What do the generic solver's settings cost and buy? Bias and noise, apart from each other,
-// against the path solver. README.md says how to read the rows; docs/solver-settings.md shows a
-// run.
+// against the path solver. docs/solver-settings.md says how to read the rows and shows a run.
 
 #include <cmath>
 #include <cstdio>
@@ -15,12 +14,12 @@
 #include "core/statistics.hpp"
 #include "radiometry/generic_solver.hpp"
 #include "radiometry/path_solver.hpp"
+#include "study_rows.hpp"
 #include "study_scenes.hpp"
 
 namespace nadir::bench {
 namespace {
 
-using materials::SolverSettings;
 using radiometry::GenericSolver;
 using radiometry::LitScene;
 using radiometry::PathSolver;
@@ -29,62 +28,14 @@ using spectral::Spectrum;
 /// How much is computed. The reference has 64 times the paths of a row, or more: expensive rows end
 /// after `rays_per_row` rays, whatever the clock says, so that runs repeat bit by bit.
 struct Effort {
-  int paths_per_round = 4;  ///< and view: a round times both solvers in turn
+  int paths_per_round = 2;  ///< and view: a round times both solvers in turn
   int rounds = 512;
   int reference_factor = 64;
-  double rays_per_row = 6e6;
+  double rays_per_row = 2.5e6;
 };
 constexpr Effort quick_effort{2, 2, 8, 2e5};
 constexpr int fewest_rounds = 2;
 constexpr double significant = 3.0;  // standard errors; one of 370 rows without bias exceeds it
-
-// ---- what is varied ---------------------------------------------------------------------------
-
-struct Row {
-  std::string label;
-  SolverSettings settings;
-};
-
-/// @param lights  rays to lights that each hit sends
-std::vector<Row> rows(int lights) {
-  std::vector<Row> all;
-  const auto add = [&](const std::string& label, auto change) {
-    Row row{label, {}};
-    change(row.settings);
-    all.push_back(std::move(row));
-  };
-  add("default: 8 samples, decay 2, 3 bounces, 2 x 6 quads, top-up 1", [](SolverSettings&) {});
-  for (const int n : {1, 2, 4, 16, 32}) {
-    add(std::to_string(n) + (n == 1 ? " sample" : " samples"),
-        [n](SolverSettings& s) { s.initial_sample_count = n; });
-  }
-  for (const int n : {1, 4, 8}) {
-    add("decay " + std::to_string(n), [n](SolverSettings& s) { s.sample_decay_rate = n; });
-  }
-  for (const int n : {0, 1, 2, 5, 8}) {
-    add(std::to_string(n) + (n == 1 ? " bounce" : " bounces"),
-        [n](SolverSettings& s) { s.max_bounces = n; });
-  }
-  for (const auto& [mu, phi] : {std::pair{1, 1}, {1, 4}, {4, 8}, {6, 12}}) {
-    add(std::to_string(mu) + " x " + std::to_string(phi) + " quads",
-        [m = mu, p = phi](SolverSettings& s) { s.mu_samples = m, s.phi_samples = p; });
-  }
-  for (const int n : {0, 2}) {
-    add("top-up " + std::to_string(n), [n](SolverSettings& s) { s.min_quad_samples = n; });
-  }
-  // What is left of the budget when the lights have had theirs: one ray, which goes on and on.
-  const SolverSettings thin{.initial_sample_count = lights + 1,
-                            .sample_decay_rate = 1.0,
-                            .max_bounces = 30,
-                            .min_quad_samples = 0};
-  add("thin and deep: 1 + lights samples, decay 1, 30 bounces, top-up 0",
-      [&](SolverSettings& s) { s = thin; });
-  add("the same with top-up 1", [&](SolverSettings& s) {
-    s = thin;
-    s.min_quad_samples = 1;
-  });
-  return all;
-}
 
 // ---- measuring --------------------------------------------------------------------------------
 
@@ -147,7 +98,8 @@ class Tally {
       sum += one.mean;
       squares += one.standard_error * one.standard_error;
     }
-    const auto count = static_cast<double>(all.size() / step);
+    const std::size_t views = all.size() / step;
+    const auto count = static_cast<double>(views);
     return {sum / count, std::sqrt(squares) / count};
   }
 
@@ -206,7 +158,7 @@ struct Result {
   double path_us = 0.0;  ///< of the path solver, in between
 };
 
-Result measure_row(const Row& row, const StudyScene& scene, const std::vector<double>& weights,
+Result measure_row(const StudyRow& row, const StudyScene& scene, const std::vector<double>& weights,
                    const Effort& effort, std::uint64_t seed) {
   radiometry::SceneDescription description = scene.description;
   description.solver = row.settings;
@@ -365,7 +317,7 @@ std::vector<Result> study(const StudyScene& scene, const Effort& effort) {
   std::vector<Result> results{measure_reference(scene, lit, weights, effort)};
   const int lights = static_cast<int>(lit.targets().size()) + (lit.lamps().empty() ? 0 : 1);
   std::uint64_t seed = 1000;
-  for (const Row& row : rows(lights)) {
+  for (const StudyRow& row : study_rows(lights)) {
     std::cerr << scene.name << ": " << row.label << "\n";
     results.push_back(measure_row(row, scene, weights, effort, seed++));
   }
@@ -393,8 +345,8 @@ int main(int argc, char** argv) {
   try {
     nadir::bench::run(nadir::bench::read_options({argv + 1, argv + argc}));
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << "\n";
+  } catch (const std::exception& error) {  // an InputError says itself that it is one
+    std::cerr << error.what() << "\n";
     return 1;
   }
 }

@@ -99,12 +99,12 @@ TriangleMesh gable(Vec3 lo, Vec3 hi, double ridge_z) {
 }
 
 TriangleMesh rolling_ground() {
-  constexpr int cells = 100;
+  constexpr int cells = 100, half = cells / 2;
   constexpr double cell_m = 2.0;
   TriangleMesh mesh;
   for (int row = 0; row <= cells; ++row) {
     for (int column = 0; column <= cells; ++column) {
-      const double x = cell_m * (column - cells / 2), y = cell_m * (row - cells / 2);
+      const double x = cell_m * (column - half), y = cell_m * (row - half);
       const double z =
           0.8 * std::sin(x / 6.0) * std::cos(y / 5.0) + 0.3 * std::sin(0.5 * x + y / 2.3);
       mesh.positions.push_back({x, y, z});
@@ -148,7 +148,8 @@ TriangleMesh crown(Vec3 centre, double radius) {
 
 Ray between(Vec3 from, Vec3 to) { return {from, normalised(to - from)}; }
 
-std::vector<Ray> from_above(double half_width_m, double height_m, double zenith_deg) {
+std::vector<Ray> from_above(double half_width_m, double zenith_deg) {
+  constexpr double height_m = 200.0;
   Rng rng{11};
   std::vector<Ray> views;
   for (int i = 0; i < view_count; ++i) {

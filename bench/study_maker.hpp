@@ -35,8 +35,7 @@ void add_quad(geometry::TriangleMesh& mesh, const std::array<Vec3, 4>& corners);
 [[nodiscard]] Vec3 random_direction(Rng& rng);
 [[nodiscard]] geometry::Ray between(Vec3 from, Vec3 to);
 /// Onto places of a level square about the origin, from all azimuths and up to `zenith_deg`.
-[[nodiscard]] std::vector<geometry::Ray> from_above(double half_width_m, double height_m,
-                                                    double zenith_deg);
+[[nodiscard]] std::vector<geometry::Ray> from_above(double half_width_m, double zenith_deg);
 
 /// A scene in the making.
 class Maker {

@@ -41,7 +41,7 @@ StudyScene open_ground() {
   return make.finish(
       "ground",
       "Open ground: soil of reflectance 0.10 to 0.40, waves of 1 m, sun at 40 deg, even blue sky",
-      solar_lanes(), from_above(60.0, 200.0, 50.0));
+      solar_lanes(), from_above(60.0, 50.0));
 }
 
 StudyScene street_canyon() {
@@ -93,7 +93,7 @@ StudyScene forest() {
   return make.finish("forest",
                      "Forest: 256 trees of 1200 bi-Lambertian leaves (rho + tau 0.06 at 0.45 um to "
                      "0.87 at 0.77 um), sun at 50 deg, even blue sky",
-                     solar_lanes(), from_above(15.0, 60.0, 40.0));
+                     solar_lanes(), from_above(15.0, 40.0));
 }
 
 StudyScene glossy_roof() {
@@ -206,7 +206,7 @@ StudyScene night_village() {
   StudyScene scene = make.finish("night",
                                  "Night village: 16 houses, 16 street lamps (points), 16 porch "
                                  "lamps (discs), walls 0.5 and 284 K, roofs 274 K, sky 245 K",
-                                 spectral::Lanes{both}, from_above(30.0, 80.0, 60.0));
+                                 spectral::Lanes{both}, from_above(30.0, 60.0));
   scene.groups = {{"0.45 to 0.70 um, lamps", 0, 8}, {"8 to 12 um, thermal", 8, 8}};
   return scene;
 }

@@ -36,7 +36,9 @@ function(nadir_tests name)
     return()
   endif()
   add_executable(test_${name} ${sources})
-  set_target_properties(test_${name} PROPERTIES
+  # Tests drive the library; optimising them would only take time.
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(test_${name} PROPERTIES NADIR_BARE ON
     RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
   list(TRANSFORM ARG_LINKS PREPEND "nadir_")
   target_link_libraries(test_${name} PRIVATE

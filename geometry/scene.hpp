@@ -18,18 +18,19 @@ struct Ray {
 
 /// Where a ray first meets a surface.
 struct Hit {
-  double distance = 0.0;       ///< from the ray's origin, m, double precision
-  Vec3 position;               ///< on the surface, scene axes, m
-  Vec3 normal;                 ///< geometric unit normal, turned towards the side the ray came from
-  Vec2 uv;                     ///< barycentric or parametric coordinates on the primitive
-  Vec2 texture;                ///< texture coordinates, where the mesh has them
-  Vec3 tangent;                ///< unit, in the surface, along growing texture u; 0 without them
-  std::uint32_t material = 0;  ///< index into the scenario's list of materials
-  std::uint32_t object = 0;    ///< which object of the scenario, in the order of the file
-  std::uint32_t instance = 0;  ///< number within an instance list, 0 where there is none
-  std::uint32_t primitive = 0;  ///< triangle or shape within its mesh
-  bool back_face = false;       ///< the ray came from the side that the normal pointed away from
-  double lift = 0.0;            ///< how far leaving_origin lifts a ray off the surface, m
+  double distance = 0.0;  ///< from the ray's origin, m, double precision
+  Vec3 position;          ///< on the surface, scene axes, m
+  Vec3 normal;            ///< geometric unit normal, turned towards the side the ray came from
+  Vec2 uv;                ///< barycentric or parametric coordinates on the primitive
+  Vec2 texture;           ///< texture coordinates, where the mesh has them
+  Vec3 tangent;           ///< unit, in the surface, along growing texture u; 0 without them
+  bool mirrored_texture = false;  ///< v grows against cross(normal, tangent)
+  std::uint32_t material = 0;     ///< index into the scenario's list of materials
+  std::uint32_t object = 0;       ///< which object of the scenario, in the order of the file
+  std::uint32_t instance = 0;     ///< number within an instance list, 0 where there is none
+  std::uint32_t primitive = 0;    ///< triangle or shape within its mesh
+  bool back_face = false;         ///< the ray came from the side that the normal pointed away from
+  double lift = 0.0;              ///< how far leaving_origin lifts a ray off the surface, m
   Vec3 inset{};  ///< how it moves it off an edge of the triangle as well, along the surface, m
 };
 

@@ -32,14 +32,21 @@ void add_texture(const Scene::Data& data, const ExactHit& exact, Hit& hit) {
                  a.texture.y + exact.uv.x * d1.y + exact.uv.y * d2.y};
   const double determinant = d1.x * d2.y - d2.x * d1.y;
   if (determinant == 0.0) return;
-  Vec3 along = std::copysign(1.0, determinant) *
-               (d2.y * (b.position - a.position) - d1.y * (c.position - a.position));
-  if (exact.instance) along = data.placement(*exact.instance).vector(along);
+  const double sign = std::copysign(1.0, determinant);
+  const Vec3 e1 = b.position - a.position, e2 = c.position - a.position;
+  Vec3 along = sign * (d2.y * e1 - d1.y * e2), across = sign * (d1.x * e2 - d2.x * e1);
+  if (exact.instance) {
+    const Affine placement = data.placement(*exact.instance);
+    along = placement.vector(along);
+    across = placement.vector(across);
+  }
   const double before = length(along);
   along = along - dot(along, hit.normal) * hit.normal;
   const double after = length(along);
   // Along lies in the surface but for rounding; where little is left it was all rounding.
-  if (after > 1e-6 * before) hit.tangent = along / after;
+  if (!(after > 1e-6 * before)) return;
+  hit.tangent = along / after;
+  hit.mirrored_texture = dot(across, cross(hit.normal, hit.tangent)) < 0.0;
 }
 
 }  // namespace nadir::geometry

@@ -15,6 +15,14 @@ using geometry::Ray;
 using spectral::Spectrum;
 using spectral::SpectrumSum;
 
+namespace {
+
+// Of the budget of full samples this share goes to lamps: one of them drawn from ten thousand says
+// little, and what the others would find are mostly surfaces that the same lamps light.
+constexpr int samples_per_lamp_draw = 4;
+
+}  // namespace
+
 GenericSolver::GenericSolver(const LitScene& scene) : scene_{&scene} {
   int bounces = 0;
   for (std::size_t i = 0; i < scene.description().materials.size(); ++i) {
@@ -58,15 +66,18 @@ Spectrum GenericSolver::scattered_radiance(const Visit& visit) {
   // How many lobe samples there will be decides how lights share with them; that they come out of
   // one budget with the rays to the lights is settled by what each of those would cost.
   const int all = full_samples(visit);
-  const int rays_to_lights =
-      static_cast<int>(scene_->targets().size()) + (scene_->lamps().empty() ? 0 : 1);
+  const int draws = scene_->lamps().empty() ? 0 : std::clamp(all / samples_per_lamp_draw, 1, 8);
+  const int rays_to_lights = static_cast<int>(scene_->targets().size()) + draws;
   const int lobe_samples =
       visit.by_lobes() ? std::max(all - rays_to_lights, visit.plan.settings().min_quad_samples) : 0;
-  const int spent = add_targets(visit, lobe_samples, sum) + add_lamp(visit, lobe_samples, sum);
+  // Direct-only samples end at a clear sheet, through which shadow rays pass: where they are all
+  // that is left the lights are the shadow rays' alone.
+  const int sharing = all == 0 && scene_->has_sheets() ? 0 : lobe_samples;
+  const int spent = add_targets(visit, sharing, sum) + add_lamps(visit, draws, sharing, sum);
   const int budget = std::max(0, all - spent);
   if (budget == 0 && all > 0) ++counters_.budget_stops;
   if (visit.by_lobes()) {
-    add_lobes(visit, lobe_samples, std::min(budget, lobe_samples), sum);
+    add_lobes(visit, {lobe_samples, std::min(budget, lobe_samples), draws, sharing > 0}, sum);
   } else {
     add_quads(visit, budget, sum);
   }
@@ -92,8 +103,7 @@ int GenericSolver::add_targets(const Visit& visit, int lobe_samples, SpectrumSum
     const Sampler shadow = visit.sampler.child(number);
     const Vec3 towards = direction_in_disc(target, visit.sampler.point(number++));
     if (towards.z <= 0.0) continue;  // set behind the horizon
-    const Vec3 wi = visit.point.to_local(towards);
-    Sample sample{visit, towards, wi};
+    Sample sample{visit, towards};
     if (!sample.possible) continue;
     if (sample.weight < thresholds::target_weight) {
       ++counters_.target_weight_skips;
@@ -104,38 +114,42 @@ int GenericSolver::add_targets(const Visit& visit, int lobe_samples, SpectrumSum
     sample.factor *= target.irradiance;
     if (!passes(*scene_, visit.point.leaving(towards), shadow, sample.factor)) continue;
     sum.add(sample.factor,
-            1.0 / (1.0 + lobe_samples * lobe_density(visit, wi) * target.solid_angle));
+            1.0 / (1.0 + lobe_samples * lobe_density(visit, towards) * target.solid_angle));
   }
   return sampled;
 }
 
-int GenericSolver::add_lamp(const Visit& visit, int lobe_samples, SpectrumSum& sum) {
-  if (scene_->lamps().empty()) return 0;
-  const auto lamp = scene_->lamps().sample(visit.point.hit().position, visit.point.lit_normal(),
-                                           visit.sampler.number(Dimension::lamp_choice),
-                                           visit.sampler.point(Dimension::lamp_place));
-  if (!lamp) return 0;
-  const Vec3 wi = visit.point.to_local(lamp->direction);
-  Sample sample{visit, lamp->direction, wi};
-  if (!sample.possible) return 0;
-  if (sample.weight < thresholds::target_weight) {
-    ++counters_.target_weight_skips;
-    return 0;
+int GenericSolver::add_lamps(const Visit& visit, int draws, int lobe_samples, SpectrumSum& sum) {
+  const double first_choice = visit.sampler.number(Dimension::lamp_choice);
+  const Vec2 first_place = visit.sampler.point(Dimension::lamp_place);
+  int sampled = 0;
+  for (int n = 0; n < draws; ++n) {
+    const auto lamp = scene_->lamps().sample(visit.point.hit().position, visit.point.lit_normal(),
+                                             spread(first_choice, n), spread(first_place, n));
+    if (!lamp) continue;
+    Sample sample{visit, lamp->direction};
+    if (!sample.possible) continue;
+    if (sample.weight < thresholds::target_weight) {
+      ++counters_.target_weight_skips;
+      continue;
+    }
+    ++sampled;
+    ++counters_.lamp_rays;
+    sample.factor *= lamp->irradiance;
+    const Ray ray =
+        ray_to_lamp(visit.point.leaving(lamp->direction).origin, visit.point.hit().position, *lamp);
+    const Sampler numbers =
+        visit.sampler.child(Dimension::lamp_choice).child(static_cast<std::uint32_t>(n));
+    if (!passes(*scene_, ray, numbers, sample.factor)) continue;
+    const double own = draws * lamp->pdf;
+    const double other = lobe_samples * lobe_density(visit, lamp->direction);
+    sum.add(sample.factor, (own > 0.0 ? own / (own + other) : 1.0) / draws);
   }
-  ++counters_.lamp_rays;
-  sample.factor *= lamp->irradiance;
-  const Ray ray =
-      ray_to_lamp(visit.point.leaving(lamp->direction).origin, visit.point.hit().position, *lamp);
-  if (passes(*scene_, ray, visit.sampler.child(Dimension::lamp_choice), sample.factor)) {
-    const double other = lobe_samples * lobe_density(visit, wi);
-    sum.add(sample.factor, lamp->pdf > 0.0 ? lamp->pdf / (lamp->pdf + other) : 1.0);
-  }
-  return 1;
+  return sampled;
 }
 
-double GenericSolver::lobe_density(const Visit& visit, Vec3 wi) {
-  if (!visit.by_lobes()) return 0.0;
-  return materials::pdf(visit.point.material().scattering, wi, visit.point.wo());
+double GenericSolver::lobe_density(const Visit& visit, Vec3 towards) {
+  return visit.by_lobes() ? visit.point.pdf(towards) : 0.0;
 }
 
 // ---- the hemisphere of quads ------------------------------------------------------------------
@@ -186,42 +200,42 @@ void GenericSolver::add_quad(const Visit& visit, int quad, const SystematicAlloc
   // Without a guaranteed minimum the direct part, too, must be weighed by the expected number.
   const double direct_share = minimum > 0 ? quads.solid_angle() / count : scattered_share;
   const Sampler numbers = visit.sampler.child(first_quad + static_cast<std::uint32_t>(quad));
+  const Vec2 first = numbers.point(0);
   for (int n = 0; n < count; ++n) {
     const auto branch = static_cast<std::uint32_t>(n);
-    const Vec3 wi = visit.turn(quads.direction(quad, numbers.point(branch)));
-    const Vec3 towards = visit.point.to_scene(wi);
-    const Sample sample{visit, towards, wi};
-    if (!sample.possible) continue;
+    const Vec3 wi = visit.turn(quads.direction(quad, spread(first, n)));
+    const Sample sample = Sample::of_quad(visit, wi);
     const Kind kind = admitted(sample, n < share.count);
     if (kind == Kind::none) continue;
     Arrival arrival{sample.factor, direct_share,  scattered_share,
                     kind,          sample.weight, visit.generation + 1};
-    gather(visit.point.leaving(towards), arrival, numbers.child(branch), sum);
+    gather(visit.point.leaving(visit.point.outgoing(wi)), arrival, numbers.child(branch), sum);
   }
 }
 
 // ---- lobes narrower than a quad ---------------------------------------------------------------
 
-void GenericSolver::add_lobes(const Visit& visit, int count, int full, SpectrumSum& sum) {
+void GenericSolver::add_lobes(const Visit& visit, const LobeSamples& samples, SpectrumSum& sum) {
+  const auto [count, full, lamp_draws, share_lights] = samples;
   const Sampler numbers = visit.sampler.child(first_quad);
+  const double first_choice = numbers.number(0);
+  const Vec2 first = numbers.point(1);
   for (int n = 0; n < count; ++n) {
-    const auto branch = static_cast<std::uint32_t>(n);
-    const Sampler own = numbers.child(branch);
-    const auto drawn =
-        materials::sample(visit.point.material().scattering, visit.point.wo(),
-                          {numbers.number(2 * branch), numbers.point(2 * branch + 1)});
+    const Sampler own = numbers.child(static_cast<std::uint32_t>(n));
+    const auto drawn = materials::sample(visit.point.material().scattering, visit.point.wo(),
+                                         {spread(first_choice, n), spread(first, n)});
     if (!drawn) continue;
-    const Vec3 towards = visit.point.to_scene(drawn->wi);
-    if (!visit.point.admits(towards, drawn->wi)) continue;
+    const Vec3 towards = visit.point.outgoing(drawn->wi);
     const double weight = largest(drawn->weight);
     const Kind kind = admitted(Sample{drawn->weight, weight, visit.weight * weight}, n < full);
     if (kind == Kind::none) continue;
     Arrival arrival{drawn->weight, 1.0 / count,           full > 0 ? 1.0 / full : 0.0,
                     kind,          visit.weight * weight, visit.generation + 1};
-    arrival.lights = {true, drawn->delta ? 0.0 : count * drawn->pdf, visit.point.hit().position,
-                      visit.point.lit_normal()};
+    const double density = visit.point.folds() ? visit.point.pdf(towards) : drawn->pdf;
+    arrival.lights = {share_lights || drawn->delta, drawn->delta ? 0.0 : count * density,
+                      visit.point.hit().position, visit.point.lit_normal(), lamp_draws};
     // Shadow rays go straight through sheets, too: behind one lights count as before it.
-    if (drawn->delta && visit.came != nullptr && passes_shadow_rays(visit.point.material()) &&
+    if (drawn->delta && visit.came != nullptr && visit.point.material().traits.straight &&
         dot(drawn->wi, visit.point.wo()) < -(1.0 - 1e-12)) {
       arrival.lights = visit.came->lights;
     }
@@ -278,7 +292,7 @@ void GenericSolver::add_lamp_surface(const Ray& ray, const Hit& hit, const Arriv
   double share = 1.0;
   if (arrival.lights.density > 0.0) {
     const LightsAlong& from = arrival.lights;
-    const double other = scene_->lamps().pdf(from.origin, from.normal, ray, hit);
+    const double other = from.lamp_draws * scene_->lamps().pdf(from.origin, from.normal, ray, hit);
     share = from.density / (from.density + other);
   }
   sum.add_product(arrival.factor, *lamp, share * arrival.direct_share);

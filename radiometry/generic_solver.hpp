@@ -59,13 +59,18 @@ class GenericSolver {
   [[nodiscard]] spectral::Spectrum scattered_radiance(const Visit& visit);
   /// Return how many rays were spent: they are taken from the budget of full samples.
   int add_targets(const Visit& visit, int lobe_samples, spectral::SpectrumSum& sum);
-  int add_lamp(const Visit& visit, int lobe_samples, spectral::SpectrumSum& sum);
+  int add_lamps(const Visit& visit, int draws, int lobe_samples, spectral::SpectrumSum& sum);
   [[nodiscard]] int full_samples(const Visit& visit);
   void add_quads(const Visit& visit, int budget, spectral::SpectrumSum& sum);
   void add_quad(const Visit& visit, int quad, const SystematicAllocation::Share& share,
                 spectral::SpectrumSum& sum);
-  void add_lobes(const Visit& visit, int count, int full, spectral::SpectrumSum& sum);
-  [[nodiscard]] static double lobe_density(const Visit& visit, Vec3 wi);
+  struct LobeSamples {
+    int count, full;    ///< in all, and of these full ones
+    int lamp_draws;     ///< of the shadow rays
+    bool share_lights;  ///< with the shadow rays
+  };
+  void add_lobes(const Visit& visit, const LobeSamples& samples, spectral::SpectrumSum& sum);
+  [[nodiscard]] static double lobe_density(const Visit& visit, Vec3 towards);
   [[nodiscard]] Kind admitted(const Sample& sample, bool full);
   void gather(const geometry::Ray& ray, Arrival& arrival, const Sampler& numbers,
               spectral::SpectrumSum& sum);

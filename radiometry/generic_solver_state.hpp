@@ -1,6 +1,7 @@
 #pragma once
 // Private to this folder: what the generic solver keeps in mind about one hit and one ray.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -18,9 +19,25 @@ enum Dimension : std::uint32_t {
   lamp_place = 2,
   flight = 3,
   in_scatter = 4,
+  phase = 5,
   first_target = 16
 };
 inline constexpr std::uint32_t first_quad = 1024;
+
+/// Number n of an additive sequence in the unit square that fills it evenly whatever its length, as
+/// steps away from a first point: samples of one quad at one hit are spread by it, while the first
+/// points of successive paths are a low-discrepancy set of their own.
+/// Source: M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018): powers of
+/// 1 / g with g the positive root of g^3 = g + 1.
+inline Vec2 spread(Vec2 first, int n) {
+  const double x = first.x + n * 0.7548776662466927, y = first.y + n * 0.5698402909980532;
+  return {x - std::floor(x), y - std::floor(y)};
+}
+/// The same on the unit interval, by the golden ratio.
+inline double spread(double first, int n) {
+  const double x = first + n * 0.6180339887498949;
+  return x - std::floor(x);
+}
 
 inline double largest(const spectral::Spectrum& s) { return static_cast<double>(s.max()); }
 
@@ -32,6 +49,7 @@ struct GenericSolver::LightsAlong {
   bool seen = false;
   double density = 0.0;  // of all lobe samples together, sr^-1; 0: a delta, or a sensor's ray
   Vec3 origin{}, normal{};
+  int lamp_draws = 1;  // of shadow rays to lamps at that origin
 };
 
 /// A hit that is being solved.
@@ -66,13 +84,25 @@ struct GenericSolver::Sample {
 
   Sample(const spectral::Spectrum& f, double largest_factor, double sample_weight)
       : factor{f}, reflectance{largest_factor}, weight{sample_weight}, possible{true} {}
-  Sample(const Visit& visit, Vec3 towards, Vec3 wi) : possible{visit.point.admits(towards, wi)} {
-    if (!possible) return;
-    factor = materials::eval(visit.point.material().scattering, wi, visit.point.wo());
+  /// Light from a direction in scene axes, as a shadow ray brings it.
+  Sample(const Visit& visit, Vec3 towards) : possible{visit.point.scattered(towards, factor)} {
+    if (possible) weigh(visit, visit.point.cosine(towards));
+  }
+  /// A local direction of a quad, before it is folded.
+  static Sample of_quad(const Visit& visit, Vec3 wi) {
     const double cosine = std::abs(wi.z);
-    reflectance = std::numbers::pi * generic::largest(factor);
-    factor *= static_cast<float>(cosine);
-    weight = visit.weight * reflectance * cosine;
+    Sample sample{materials::eval(visit.point.material().scattering, wi, visit.point.wo()), 0.0,
+                  0.0};
+    sample.factor *= static_cast<float>(cosine);
+    sample.weigh(visit, cosine);
+    return sample;
+  }
+
+ private:
+  void weigh(const Visit& visit, double cosine) {
+    const double strongest = std::numbers::pi * generic::largest(factor);
+    reflectance = strongest / std::max(cosine, 1e-12);
+    weight = visit.weight * strongest;
   }
 };
 

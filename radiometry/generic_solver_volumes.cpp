@@ -36,7 +36,7 @@ Spectrum GenericSolver::scattered_in_volume(const Ray& ray, const VolumeEvent& e
   }
   add_volume_lights(event, wo, numbers, sum);
   const materials::PhaseSample drawn = event.phase->sample(
-      wo, numbers.number(Dimension::allocation), numbers.point(Dimension::lamp_place));
+      wo, numbers.number(Dimension::allocation), numbers.point(Dimension::phase));
   const bool full = arrival.generation < scene_->description().solver.max_bounces;
   if (!full) ++counters_.bounce_limit_stops;
   const double strongest = largest(drawn.weight);

@@ -53,7 +53,7 @@ struct QuadTurn {
 /// on GGX lobes (F = 1) with 10 x 20 quads: roughness 0.3 and more: 1; 0.2: 4.5; 0.15: 9.6; 0.1:
 /// 33; 0.05: 74; 0.01: 1000; with 5 x 10 quads 0.4: 3; 0.3: 5; 0.2: 20. So this parts lobes that
 /// fill their quads from those that do not.
-inline constexpr double lobe_is_narrow = 6.0;
+inline constexpr double lobe_is_narrow = 4.0;
 
 /// How much each quad matters for each view direction: the lane-averaged, unpolarised reflectance
 /// (and transmittance) f |cos| of the material, brute-force mean over points of the quad, tabulated

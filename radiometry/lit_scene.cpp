@@ -66,7 +66,7 @@ LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnos
     if (scene.method == Method::generic) {
       plans_.emplace_back(bound, scene.materials[i].solver.value_or(scene.solver));
     }
-    has_sheets_ |= std::holds_alternative<materials::BoundClearSheet>(bound.scattering);
+    has_sheets_ |= bound.traits.straight;
   }
 }
 

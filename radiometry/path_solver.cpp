@@ -28,9 +28,6 @@ enum Dimension : std::uint32_t {
 // Children: the next vertex, and the numbers of volumes and maps along the way.
 enum Branch : std::uint32_t { next = 0, flight = 1, shadow = 2, split = 3 };
 
-// Of an uneven sky: half of the directions follow the surface, half the sky. (Veach's one-sample
-// model; the best share lies between and matters little.)
-constexpr double sky_share = 0.5;
 // A walk between surfaces that absorb nothing would never end: from here on it does, on average
 // after another 1e7 bounces.
 constexpr int endless = 10000;
@@ -94,6 +91,7 @@ void PathSolver::follow(Walk& walk) {
     if (!volumes.empty() && volumes.crossed(walk.ray, distance)) {
       const auto event = volumes.fly(walk.ray, distance, walk.numbers.child(Branch::flight),
                                      walk.throughput, *walk.radiance);
+      if (!(walk.throughput.max() > 0.0F)) return;
       if (event) {
         if (!scatter_in_volume(walk, *event)) return;
         continue;
@@ -181,7 +179,7 @@ namespace {
 /// Density of a direction under the mixture of scattering function and sky.
 double mixed_pdf(const SkyDistribution& sky, double surface_pdf, Vec3 towards) {
   if (sky.empty()) return surface_pdf;
-  return (1.0 - sky_share) * surface_pdf + sky_share * sky.pdf(towards);
+  return (1.0 - sky.share()) * surface_pdf + sky.share() * sky.pdf(towards);
 }
 
 struct SurfaceScatter {
@@ -189,12 +187,8 @@ struct SurfaceScatter {
   const SurfacePoint& point;
 
   double value(Vec3 towards, Spectrum& f) const {
-    const Vec3 wi = point.to_local(towards);
-    if (!point.admits(towards, wi)) return -1.0;
-    f = materials::eval(point.material().scattering, wi, point.wo());
-    f *= static_cast<float>(std::abs(wi.z));
-    return mixed_pdf(scene.sky_distribution(),
-                     materials::pdf(point.material().scattering, wi, point.wo()), towards);
+    if (!point.scattered(towards, f)) return -1.0;
+    return mixed_pdf(scene.sky_distribution(), point.pdf(towards), towards);
   }
   [[nodiscard]] Ray ray(Vec3 towards) const { return point.leaving(towards); }
   [[nodiscard]] Vec3 position() const { return point.hit().position; }
@@ -217,40 +211,41 @@ struct VolumeScatter {
 }  // namespace
 
 void PathSolver::add_surface_lights(const Walk& walk, const SurfacePoint& point) {
+  if (point.material().traits.only_delta) return;  // no direction of a light is among its own
   add_lights(walk, SurfaceScatter{*scene_, point});
+}
+
+std::optional<PathSolver::Draw> PathSolver::draw_to_sky(const SurfacePoint& point, Vec2 u) const {
+  const SkyDistribution& sky = scene_->sky_distribution();
+  Draw drawn{sky.sample(u), Spectrum{scene_->lanes().count()}};
+  if (!point.scattered(drawn.direction, drawn.weight)) return std::nullopt;
+  drawn.pdf = mixed_pdf(sky, point.pdf(drawn.direction), drawn.direction);
+  drawn.weight *= static_cast<float>(1.0 / drawn.pdf);
+  return drawn;
 }
 
 std::optional<PathSolver::Draw> PathSolver::draw(const Walk& walk,
                                                  const SurfacePoint& point) const {
-  const auto& model = point.material().scattering;
+  const materials::ScatteringTraits& traits = point.material().traits;
   const SkyDistribution& sky = scene_->sky_distribution();
+  const bool shared = !sky.empty() && !traits.only_delta;  // with directions to the sky
   const Vec2 u = walk.numbers.point(Dimension::direction);
-  const bool to_sky = !sky.empty() && walk.numbers.number(Dimension::technique) < sky_share;
-  if (to_sky) {
-    const Vec3 towards = sky.sample(u);
-    const Vec3 wi = point.to_local(towards);
-    if (!point.admits(towards, wi)) return std::nullopt;
-    const double pdf = mixed_pdf(sky, materials::pdf(model, wi, point.wo()), towards);
-    Spectrum weight = materials::eval(model, wi, point.wo());
-    weight *= static_cast<float>(std::abs(wi.z) / pdf);
-    return Draw{towards, weight, pdf};
+  if (shared && walk.numbers.number(Dimension::technique) < sky.share()) {
+    return draw_to_sky(point, u);
   }
-  const auto drawn =
-      materials::sample(model, point.wo(), {walk.numbers.number(Dimension::lobe), u});
+  const auto drawn = materials::sample(point.material().scattering, point.wo(),
+                                       {walk.numbers.number(Dimension::lobe), u});
   if (!drawn) return std::nullopt;
-  const Vec3 towards = point.to_scene(drawn->wi);
-  if (!point.admits(towards, drawn->wi)) return std::nullopt;
-  Draw result{towards, drawn->weight, drawn->pdf};
-  const double surface_share = sky.empty() ? 1.0 : 1.0 - sky_share;
+  Draw result{point.outgoing(drawn->wi), drawn->weight};
   if (drawn->delta) {
-    result.pdf = 0.0;
-    result.straight =
-        passes_shadow_rays(point.material()) && dot(towards, walk.ray.direction) > 1.0 - 1e-12;
-    if (!sky.empty()) result.weight *= static_cast<float>(1.0 / surface_share);
-  } else if (!sky.empty()) {
-    result.pdf = mixed_pdf(sky, drawn->pdf, towards);
-    result.weight *= static_cast<float>(drawn->pdf / result.pdf);
+    result.straight = traits.straight && dot(drawn->wi, point.wo()) < -(1.0 - 1e-12);
+    if (shared) result.weight *= static_cast<float>(1.0 / (1.0 - sky.share()));
+    return result;
   }
+  const double own = point.folds() ? point.pdf(result.direction) : drawn->pdf;
+  result.pdf = shared ? mixed_pdf(sky, own, result.direction) : own;
+  // The weight of what was drawn belongs to the density that it was drawn with, folded or not.
+  if (shared) result.weight *= static_cast<float>(own / result.pdf);
   return result;
 }
 
@@ -297,7 +292,9 @@ bool PathSolver::survives(Walk& walk) {
   const double strength = static_cast<double>(walk.throughput.mean());
   if (!(strength > 0.0)) return false;
   if (bounces > 0) {
-    const double chance = std::min(strength, bounces < endless ? 1.0 : endless_survival);
+    double chance = std::min(strength, bounces < endless ? 1.0 : endless_survival);
+    // Rounding and tables may return a trifle more than came: it must not add up over 1e7 bounces.
+    if (bounces >= endless && strength > 1.0) chance *= strength;
     if (walk.numbers.number(Dimension::roulette) >= chance) {
       ++counters_.roulette_stops;
       return false;

@@ -45,6 +45,7 @@ class PathSolver {
   void add_surface_lights(const Walk& walk, const SurfacePoint& point);
   template <class Scatter>
   void add_lights(const Walk& walk, const Scatter& scatter);
+  [[nodiscard]] std::optional<Draw> draw_to_sky(const SurfacePoint& point, Vec2 u) const;
   [[nodiscard]] std::optional<Draw> draw(const Walk& walk, const SurfacePoint& point) const;
   bool bounce(Walk& walk, const SurfacePoint& point);
   bool scatter_in_volume(Walk& walk, const VolumeEvent& event);

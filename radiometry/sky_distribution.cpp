@@ -34,6 +34,8 @@ SkyDistribution::SkyDistribution(const atmosphere::BoundAtmosphere& air) {
     }
   }
   if (!(total > 0.0)) return;
+  const double contrast = *std::max_element(radiance.begin(), radiance.end()) * cells / total;
+  share_ = std::min(0.5, (contrast - 1.0) / (contrast + 3.0));
   double sum = 0.0;
   for (const double value : radiance) {
     sum += even_share / cells + (1.0 - even_share) * value / total;

@@ -35,7 +35,12 @@ Frame own_frame(Vec3 tangent, Vec3 outward) {
 Vec3 bumped(const materials::ReliefMap& relief, const Hit& hit, Vec3 outward) {
   const bool draped = relief.frame.by == materials::MapFrame::By::ground;
   const Vec2 place = draped ? Vec2{hit.position.x, hit.position.y} : hit.texture;
-  return own_frame(draped ? Vec3{} : hit.tangent, outward).to_world(relief.normal_at(place));
+  Vec3 normal = relief.normal_at(place);
+  // The frame's y runs along the other axis of the map, or against it: under a ceiling, and where
+  // texture coordinates are mirrored.
+  const bool against = draped ? outward.z < 0.0 : hit.mirrored_texture != hit.back_face;
+  if (against) normal.y = -normal.y;
+  return own_frame(draped ? Vec3{} : hit.tangent, outward).to_world(normal);
 }
 
 }  // namespace
@@ -59,6 +64,41 @@ SurfacePoint::SurfacePoint(const LitScene& scene, const geometry::Ray& ray, cons
     frame_ = frame_about(outward);
   }
   wo_ = frame_.to_local(view);
+}
+
+Vec3 SurfacePoint::outgoing(Vec3 wi) const noexcept {
+  const Vec3 towards = frame_.to_world(wi);
+  return !bumped_ || agrees(towards, wi) ? towards : mirrored(towards);
+}
+
+bool SurfacePoint::scattered(Vec3 towards, spectral::Spectrum& f_cos) const noexcept {
+  const Vec3 wi = frame_.to_local(towards);
+  const auto& model = material_->scattering;
+  if (!bumped_) {
+    if (!material_->traits.transmits && wi.z * wo_.z <= 0.0) return false;
+    f_cos = materials::eval(model, wi, wo_);
+    f_cos *= static_cast<float>(std::abs(wi.z));
+    return true;
+  }
+  if (!material_->traits.transmits && dot(towards, hit_->normal) <= 0.0) return false;
+  f_cos = spectral::Spectrum{material_->own_emissivity.count()};
+  if (agrees(towards, wi)) {
+    f_cos.add_scaled(materials::eval(model, wi, wo_), static_cast<float>(std::abs(wi.z)));
+  }
+  const Vec3 twin = mirrored(towards), wi_twin = frame_.to_local(twin);
+  if (!agrees(twin, wi_twin)) {
+    f_cos.add_scaled(materials::eval(model, wi_twin, wo_), static_cast<float>(std::abs(wi_twin.z)));
+  }
+  return true;
+}
+
+double SurfacePoint::pdf(Vec3 towards) const noexcept {
+  const Vec3 wi = frame_.to_local(towards);
+  const auto& model = material_->scattering;
+  if (!bumped_) return materials::pdf(model, wi, wo_);
+  const Vec3 twin = mirrored(towards), wi_twin = frame_.to_local(twin);
+  return (agrees(towards, wi) ? materials::pdf(model, wi, wo_) : 0.0) +
+         (agrees(twin, wi_twin) ? 0.0 : materials::pdf(model, wi_twin, wo_));
 }
 
 spectral::Spectrum emission(const LitScene& scene, const SurfacePoint& point) noexcept {

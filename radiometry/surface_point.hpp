@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/frame.hpp"
 #include "geometry/scene.hpp"
 #include "materials/bound_material.hpp"
@@ -19,14 +21,19 @@ class SurfacePoint {
   [[nodiscard]] const geometry::Hit& hit() const noexcept { return *hit_; }
   [[nodiscard]] const materials::BoundMaterial& material() const noexcept { return *material_; }
   [[nodiscard]] Vec3 wo() const noexcept { return wo_; }  ///< towards the ray's origin, local
-  [[nodiscard]] Vec3 to_local(Vec3 direction) const noexcept { return frame_.to_local(direction); }
-  [[nodiscard]] Vec3 to_scene(Vec3 local) const noexcept { return frame_.to_world(local); }
-  /// Whether the surface can scatter light from that direction at all: it comes from the side of
-  /// the view or the material transmits, and a bump does not hold it above a surface that it is
-  /// really below.
-  [[nodiscard]] bool admits(Vec3 direction, Vec3 wi) const noexcept {
-    if (!material_->traits.transmits && wi.z * wo_.z <= 0.0) return false;
-    return !bumped_ || dot(direction, hit_->normal) * wi.z * wo_.z > 0.0;
+  /// The direction (scene axes) of a local one. Where a bump holds it on the wrong side of the
+  /// real surface it is folded back, mirrored at that surface: no light is lost, so that emission
+  /// and reflection still add up to Kirchhoff's law.
+  [[nodiscard]] Vec3 outgoing(Vec3 wi) const noexcept;
+  /// f |cos| per lane for light from a direction (scene axes), what is folded onto it included.
+  /// False where no light can come from there.
+  [[nodiscard]] bool scattered(Vec3 towards, spectral::Spectrum& f_cos) const noexcept;
+  /// Density with which a drawn direction, folded, is this one, sr^-1.
+  [[nodiscard]] double pdf(Vec3 towards) const noexcept;
+  /// Whether directions may be folded, so that `pdf` is not that of the model.
+  [[nodiscard]] bool folds() const noexcept { return bumped_; }
+  [[nodiscard]] double cosine(Vec3 towards) const noexcept {
+    return std::abs(dot(towards, frame_.z));
   }
   /// The side that light can come from, for lamps; 0: both.
   [[nodiscard]] Vec3 lit_normal() const noexcept {
@@ -37,6 +44,14 @@ class SurfacePoint {
   }
 
  private:
+  /// Both sides of the surface agree whether a direction is on the side of the view.
+  [[nodiscard]] bool agrees(Vec3 towards, Vec3 wi) const noexcept {
+    return dot(towards, hit_->normal) * wi.z * wo_.z > 0.0;
+  }
+  [[nodiscard]] Vec3 mirrored(Vec3 towards) const noexcept {
+    return towards - 2.0 * dot(towards, hit_->normal) * hit_->normal;
+  }
+
   const geometry::Hit* hit_;
   const materials::BoundMaterial* material_;
   Frame frame_;

@@ -15,10 +15,10 @@ bool passes_sheets(const LitScene& scene, Ray ray, const Sampler& numbers, Spect
   for (int sheet = 0; sheet < most_sheets; ++sheet) {
     const auto hit = scene.intersect(ray, numbers.child(static_cast<std::uint32_t>(sheet)));
     if (!hit) return true;
-    const auto* pane =
-        std::get_if<materials::BoundClearSheet>(&scene.material(hit->material).scattering);
-    if (pane == nullptr) return false;
-    light *= pane->albedo(SurfacePoint{scene, ray, *hit}.wo()).transmittance;
+    const materials::BoundMaterial& pane = scene.material(hit->material);
+    if (!pane.traits.straight) return false;
+    light *=
+        materials::straight_transmittance(pane.scattering, SurfacePoint{scene, ray, *hit}.wo());
     const Vec3 origin = geometry::leaving_origin(*hit, ray.direction);
     ray.max_distance -= dot(origin - ray.origin, ray.direction);
     ray.origin = origin;

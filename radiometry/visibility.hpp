@@ -1,7 +1,5 @@
 #pragma once
 
-#include <variant>
-
 #include "core/sampler.hpp"
 #include "geometry/scene.hpp"
 #include "radiometry/lit_scene.hpp"
@@ -14,12 +12,6 @@ namespace nadir::radiometry {
 /// An unbiased estimate where a volume is a grid.
 [[nodiscard]] bool passes(const LitScene& scene, const geometry::Ray& ray, const Sampler& numbers,
                           spectral::Spectrum& light);
-
-/// Whether shadow rays go through the material, so that light that comes straight through it has
-/// been counted already.
-[[nodiscard]] inline bool passes_shadow_rays(const materials::BoundMaterial& material) noexcept {
-  return std::holds_alternative<materials::BoundClearSheet>(material.scattering);
-}
 
 /// The shadow ray to a lamp that was drawn for `position`, from an origin that may be lifted off
 /// the surface there. It is aimed anew and stops just before the lamp's own surface: from the

@@ -129,7 +129,8 @@ step scripts check_scripts
 step build build build-check -DCMAKE_BUILD_TYPE=Release -DNADIR_WERROR=ON
 step test tests build-check
 if [ "$fast" = no ]; then
-  step sanitize build build-sanitize \
+  # By clang: every change is seen by both compilers, and it takes half of g++'s time.
+  step sanitize build build-sanitize -DCMAKE_CXX_COMPILER=clang++-14 \
     -DNADIR_SANITIZE=ON -DNADIR_WERROR=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
     -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1" # enough for lines in reports, quickest to compile
   step santest sanitized_tests

@@ -54,7 +54,8 @@ def make_lists(output: pathlib.Path) -> None:
         write_rows(output / f"{name}.csv", "east_m,north_m,yaw_deg", rows)
     # yaw 270: the arm (along the row's north) points west, over the quay
     street = [(18.5, north, 270) for north in range(-100, 121, 36)]
-    street += [(92.0, south + 10.0, 0), (92.0, south + 34.0, 0), (69.0, south + 22.0, 90), (115.0, south + 22.0, 270)]
+    street += [(92.0, south + 10.0, 0), (92.0, south + 34.0, 0)]
+    street += [(69.0, south + 22.0, 90), (115.0, south + 22.0, 270)]
     street += [(57.5, north, 90) for north in (8, 40, 72)]
     write_rows(output / "street.csv", "east_m,north_m,yaw_deg", street)
 

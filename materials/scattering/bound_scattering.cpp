@@ -35,4 +35,12 @@ BoundScattering bind(const Scattering& model, const BindContext& context) {
   return std::visit(Binder{context}, model);
 }
 
+spectral::Spectrum straight_transmittance(const BoundScattering& model, Vec3 wo) noexcept {
+  if (const auto* sheet = std::get_if<BoundClearSheet>(&model)) {
+    return sheet->albedo(wo).transmittance;
+  }
+  if (const auto* mixture = std::get_if<BoundMixture>(&model)) return mixture->straight(wo);
+  return spectral::Spectrum{albedo(model, wo).reflectance.count()};
+}
+
 }  // namespace nadir::materials

@@ -70,4 +70,9 @@ using BoundScattering =
 
 // NOLINTEND(bugprone-exception-escape)
 
+/// Share of light that goes straight through without being turned, per lane: what shadow rays lose
+/// no more of. 0 for models whose traits do not say `straight`.
+[[nodiscard]] spectral::Spectrum straight_transmittance(const BoundScattering& model,
+                                                        Vec3 wo) noexcept;
+
 }  // namespace nadir::materials

@@ -32,7 +32,7 @@ class BoundClearSheet {
                                                        const ScatteringDraw& u) const noexcept;
   [[nodiscard]] Albedo albedo(Vec3 wo) const noexcept;
   [[nodiscard]] ScatteringTraits traits() const noexcept {
-    return {.transmits = true, .has_delta = true};
+    return {.transmits = true, .has_delta = true, .only_delta = true, .straight = true};
   }
 
  private:

@@ -224,6 +224,13 @@ BoundMeasured::BoundMeasured(const Measured& model, const BindContext& context)
       directions_{directions_for(zenith_, azimuth_, lane_means(values_, lanes_))},
       albedo_{lanes_, [this](Vec3 wi, Vec3 wo) { return eval(wi, wo); }} {
   albedo_.refuse_above(albedo_limit, context.lanes, "measured");
+  // What the instrument added to a white sample must not grow from bounce to bounce.
+  Spectrum factor = albedo_.largest();
+  for (int lane = 0; lane < lanes_; ++lane) factor[lane] = 1.0F / std::max(factor[lane], 1.0F);
+  albedo_.scale(factor);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i] *= factor[static_cast<int>(i % static_cast<std::size_t>(lanes_))];
+  }
 }
 
 Spectrum BoundMeasured::eval(Vec3 wi, Vec3 wo) const noexcept {

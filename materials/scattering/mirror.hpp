@@ -22,7 +22,9 @@ class BoundMirror {
   [[nodiscard]] std::optional<ScatteringSample> sample(Vec3 wo,
                                                        const ScatteringDraw& u) const noexcept;
   [[nodiscard]] Albedo albedo(Vec3 wo) const noexcept;
-  [[nodiscard]] ScatteringTraits traits() const noexcept { return {.has_delta = true}; }
+  [[nodiscard]] ScatteringTraits traits() const noexcept {
+    return {.has_delta = true, .only_delta = true};
+  }
 
  private:
   [[nodiscard]] spectral::Spectrum reflectance(double mu) const noexcept;

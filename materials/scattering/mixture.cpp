@@ -78,6 +78,7 @@ BoundMixture::BoundMixture(const Mixture& model, const BindContext& context)
     : lanes_{context.lanes.count()} {
   std::vector<MixturePart> parts;
   double weights = 0.0;
+  bool only_delta = true;
   for (const Mixture::Part& part : model.parts) {
     parts.push_back(bind_part(part, context));
     weights += part.weight;
@@ -85,14 +86,22 @@ BoundMixture::BoundMixture(const Mixture& model, const BindContext& context)
     traits_.transmits = traits_.transmits || t.transmits;
     traits_.anisotropic = traits_.anisotropic || t.anisotropic;
     traits_.has_delta = traits_.has_delta || t.has_delta;
+    traits_.straight = traits_.straight || t.straight;
+    only_delta = only_delta && t.only_delta;
   }
+  traits_.only_delta = only_delta;
   set_chances(parts);
+  parts_ = std::make_shared<const std::vector<MixturePart>>(parts);
+  if (weights <= 1.0) return;  // no part can push the sum above 1
+  const double gain = checked_gain(context.lanes);
+  if (gain <= 1.0) return;
+  for (MixturePart& part : parts) part.weight /= gain;  // else it would grow with every bounce
   parts_ = std::make_shared<const std::vector<MixturePart>>(std::move(parts));
-  if (weights > 1.0) refuse_gain(context.lanes);  // else no part can push the sum above 1
 }
 
-void BoundMixture::refuse_gain(const Lanes& lanes) const {
-  double largest = 1.0 + 1e-3;
+double BoundMixture::checked_gain(const Lanes& lanes) const {
+  constexpr double granted = 1.0 + 1e-3;  // to the noise of tabulated albedos
+  double largest = 0.0;
   Micrometres where{0.0};
   for_each_view(traits_, [&](Vec3 wo) {
     const Albedo a = albedo(wo);
@@ -104,7 +113,7 @@ void BoundMixture::refuse_gain(const Lanes& lanes) const {
       where = lanes[lane];
     }
   });
-  if (where.value <= 0.0) return;
+  if (largest <= granted) return largest;
   throw InputError{"mixture: its parts together scatter " + number_text(largest) +
                    " of the light at " + number_text(where.value) +
                    " um; more than 1 creates energy"};
@@ -156,6 +165,15 @@ Albedo BoundMixture::albedo(Vec3 wo) const noexcept {
     const Albedo a = materials::albedo(part.scattering, wo);
     sum.reflectance.add_scaled(a.reflectance, static_cast<float>(part.weight));
     sum.transmittance.add_scaled(a.transmittance, static_cast<float>(part.weight));
+  }
+  return sum;
+}
+
+Spectrum BoundMixture::straight(Vec3 wo) const noexcept {
+  Spectrum sum{lanes_};
+  for (const MixturePart& part : *parts_) {
+    if (!materials::traits(part.scattering).straight) continue;
+    sum.add_scaled(straight_transmittance(part.scattering, wo), static_cast<float>(part.weight));
   }
   return sum;
 }

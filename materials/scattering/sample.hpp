@@ -30,6 +30,8 @@ struct ScatteringTraits {
   bool transmits = false;    ///< light may come from the other side
   bool anisotropic = false;  ///< turning the surface about its normal changes it
   bool has_delta = false;    ///< some light goes into directions of no solid angle
+  bool only_delta = false;   ///< all light does
+  bool straight = false;     ///< some light goes straight through, as through a clear sheet
 };
 
 }  // namespace nadir::materials

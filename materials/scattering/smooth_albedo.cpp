@@ -57,6 +57,18 @@ Albedo SmoothAlbedo::at(double mu) const noexcept {
   return {rho, spectral::Spectrum{rho.count()}};
 }
 
+spectral::Spectrum SmoothAlbedo::largest() const noexcept {
+  spectral::Spectrum most{entries_.front().count()};
+  for (const spectral::Spectrum& entry : entries_) {
+    for (int lane = 0; lane < most.count(); ++lane) most[lane] = std::max(most[lane], entry[lane]);
+  }
+  return most;
+}
+
+void SmoothAlbedo::scale(const spectral::Spectrum& factor) noexcept {
+  for (spectral::Spectrum& entry : entries_) entry *= factor;
+}
+
 void SmoothAlbedo::refuse_above(double limit, const spectral::Lanes& lanes,
                                 const std::string& what) const {
   double worst = limit, mu = 0.0;

@@ -26,6 +26,10 @@ class SmoothAlbedo {
 
   /// @throws InputError if any entry is above `limit`, naming lane, angle and albedo
   void refuse_above(double limit, const spectral::Lanes& lanes, const std::string& what) const;
+  /// Largest entry of each lane.
+  [[nodiscard]] spectral::Spectrum largest() const noexcept;
+  /// Multiplies every entry, lane by lane.
+  void scale(const spectral::Spectrum& factor) noexcept;
 
  private:
   std::vector<spectral::Spectrum> entries_;  // at mu = (i / (count - 1))^2

@@ -184,9 +184,7 @@ bool EmittingSurface::seen_from_front(Vec3 direction, Vec3 on_lamp) const noexce
 
 LightTreeItem EmittingSurface::bound() const noexcept {
   if (kind_ == Kind::sphere) {
-    // The hierarchy puts a sphere around the box: this box fits the lamp's own into it.
-    const double half = radius_ / std::sqrt(3.0);
-    const Vec3 reach{half, half, half};
+    const Vec3 reach{radius_, radius_, radius_};
     return {{centre_ - reach, centre_ + reach}, normal_, pi, 0.0, 0.0};
   }
   const double rx = kind_ == Kind::disc ? radius_ : half_x_;

@@ -91,12 +91,17 @@ TEST_CASE("ten mistakes are ten errors with line and column, and exit code 2", "
 }
 
 TEST_CASE("the shipped demo scenarios are whole", "[end_to_end]") {
-  const std::string scenes = std::string{NADIR_SOURCE_DIR} + "/scenes/jacksboro/";
-  const auto result = run_nadir("validate " + scenes + "day.xml " + scenes + "night.xml");
-  CAPTURE(result.err);
+  const std::string scenes = std::string{NADIR_SOURCE_DIR} + "/scenes/";
+  const auto result =
+      run_nadir("validate " + scenes + "jacksboro/day.xml " + scenes + "jacksboro/night.xml " +
+                scenes + "showcase/harbour.xml " + scenes + "showcase/harbour_night.xml");
+  CAPTURE(result.err, result.out);
   CHECK(result.exit_code == 0);
   CHECK(result.out.find("day.xml: ok (") != std::string::npos);
-  CHECK(result.out.find("night.xml: ok (") != std::string::npos);
+  CHECK(result.out.find("/night.xml: ok (") != std::string::npos);
+  CHECK(result.out.find("harbour.xml: ok (") != std::string::npos);
+  CHECK(result.out.find("harbour_night.xml: ok (") != std::string::npos);
+  CHECK(result.out.find("\n  ") == std::string::npos);  // a warning
 }
 
 TEST_CASE("an output folder that cannot be made is told before the work", "[end_to_end]") {

@@ -222,6 +222,9 @@ TEST_CASE("a night under a sky that still shines is told", "[sim][world]") {
   const auto warnings = load(folder, text).warnings;
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("the sun is below the horizon") == 0);
+  // What the full moon scatters is 2.5e-6 of the sun's; that is no mistake.
+  text.replace(text.find("sky_radiance=\"50\""), 17, "sky_radiance=\"2e-4\"");
+  CHECK(load(folder, text).warnings.empty());
 }
 
 TEST_CASE("a mistake without a place of its own names its object, its row or its band",

@@ -30,8 +30,9 @@ def warehouse() -> Mesh:
     for y, order in ((y0, 1), (y1, -1)):
         mesh.add("walls", [(x0, y, wall), (x1, y, wall), (middle, y, ridge)][::order])
     e, z = 0.7, wall - 0.19
-    mesh.quad("roof", (x1 + e, y0 - e, z), (x1 + e, y1 + e, z), (middle, y1 + e, ridge), (middle, y0 - e, ridge))
-    mesh.quad("roof", (x0 - e, y1 + e, z), (x0 - e, y0 - e, z), (middle, y0 - e, ridge), (middle, y1 + e, ridge))
+    top = ((middle, y0 - e, ridge), (middle, y1 + e, ridge))
+    mesh.quad("roof", (x1 + e, y0 - e, z), (x1 + e, y1 + e, z), top[1], top[0])
+    mesh.quad("roof", (x0 - e, y1 + e, z), (x0 - e, y0 - e, z), top[0], top[1])
     for y in (14.0, 32.0, 50.0, 68.0):
         mesh.box("doors", (x0 - 0.1, y - 3, 0.0), (x0 + 0.1, y + 3, 5.5))
         mesh.box("doors", (x1 - 0.1, y - 3, 0.0), (x1 + 0.1, y + 3, 5.5))
@@ -56,7 +57,8 @@ def office() -> Mesh:
             mesh.box("steel", (x0 + 2 * k - 0.06, y, 0.0), (x0 + 2 * k + 0.06, y + 0.12, 14.9))
     for k in range(8):
         for x in (x0 - 0.25, x1 + 0.13):
-            mesh.box("steel", (x, y0 + 2.14 * k - 0.06, 0.0), (x + 0.12, y0 + 2.14 * k + 0.06, 14.9))
+            y = y0 + 2.14 * k
+            mesh.box("steel", (x, y - 0.06, 0.0), (x + 0.12, y + 0.06, 14.9))
     mesh.box("core", (x0 + 3, y0 + 3, 14.8), (x0 + 8, y0 + 7, 16.8))
     for floor in range(4):  # desks
         for k in range(6):
@@ -110,14 +112,18 @@ def ship() -> Mesh:
         for column in range(5):
             for layer in range((2, 3, 1, 2, 3, 2, 1)[(row + 2 * column) % 7]):
                 x, y, z = -16.3 + 2.6 * column, 12.0 + 6.6 * row, 1.22 + 2.6 * layer
-                mesh.box(colours[(3 * row + 2 * column + layer) % 5], (x, y, z), (x + 2.44, y + 6.06, z + 2.59))
+                colour = colours[(3 * row + 2 * column + layer) % 5]
+                mesh.box(colour, (x, y, z), (x + 2.44, y + 6.06, z + 2.59))
     return mesh
 
 
 def breakwater() -> Mesh:
     """A rubble wall far out, with a lighthouse at its end."""
     mesh = Mesh()
-    mesh.prism("rock", [(-330.0, -40.0), (-318.0, -40.0), (-250.0, 700.0), (-262.0, 700.0)], -12.0, 1.5)
-    mesh.prism("tower", [(-326.4, -35.6), (-321.6, -35.6), (-321.6, -30.8), (-326.4, -30.8)], 1.5, 22.0)
-    mesh.prism("red", [(-325.4, -34.6), (-322.6, -34.6), (-322.6, -31.8), (-325.4, -31.8)], 22.0, 23.5)
+    wall = [(-330.0, -40.0), (-318.0, -40.0), (-250.0, 700.0), (-262.0, 700.0)]
+    tower = [(-326.4, -35.6), (-321.6, -35.6), (-321.6, -30.8), (-326.4, -30.8)]
+    cap = [(-325.4, -34.6), (-322.6, -34.6), (-322.6, -31.8), (-325.4, -31.8)]
+    mesh.prism("rock", wall, -12.0, 1.5)
+    mesh.prism("tower", tower, 1.5, 22.0)
+    mesh.prism("red", cap, 22.0, 23.5)
     return mesh

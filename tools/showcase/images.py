@@ -1,4 +1,4 @@
-"""Small grey rasters as PNG: the parking lot's markings, the yard's furrows, the lawn's contrast."""
+"""Small grey rasters as PNG: parking lot's markings, yard's furrows, lawn's contrast."""
 
 import math
 import pathlib
@@ -65,7 +65,8 @@ def furrows(size_m: tuple) -> list:
 def patches() -> list:
     """A grey picture of a lawn: clouds of random waves."""
     rng = random.Random(3)
-    waves = [(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), rng.uniform(0, 6.283)) for _ in range(12)]
+    waves = [(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), rng.uniform(0, 6.283))
+             for _ in range(12)]
     rows = []
     for y in range(64):
         row = [sum(math.sin(a * x + b * y + c) for a, b, c in waves) for x in range(64)]

@@ -1,4 +1,4 @@
-"""Meshes of the showcase: polygons by part, as tools/jacksboro/mesh.py keeps them, and their shapes."""
+"""Meshes of the showcase: polygons by part, as tools/jacksboro/mesh.py keeps them."""
 
 import math
 import pathlib
@@ -71,7 +71,8 @@ def tree(seed: int) -> Mesh:
         mesh.strut("bark", ((0, 0, 2.8), (x, y, 6.2)), 0.09)
     for _ in range(420):
         # near the surface of an ellipsoid, where a crown carries its leaves
-        z, turn, shell = rng.uniform(-1, 1), rng.uniform(0, 2 * math.pi), rng.uniform(0.45, 1) ** 0.5
+        z, turn = rng.uniform(-1, 1), rng.uniform(0, 2 * math.pi)
+        shell = rng.uniform(0.45, 1) ** 0.5
         ring = math.sqrt(1 - z * z) * shell
         centre = (3.1 * ring * math.cos(turn), 3.1 * ring * math.sin(turn), 6.0 + 3.0 * z * shell)
         mesh.add("leaves", _leaf(rng, centre, rng.uniform(0.3, 0.5)))
@@ -97,8 +98,8 @@ def car() -> Mesh:
     hood = [(-0.88, 0.95), (0.88, 0.95), (0.8, 2.2), (-0.8, 2.2)]
     mesh.prism("hood", [hood[i] for i in (0, 1, 2, 3)], 0.3, 0.88)
     lo, hi = (0.85, -1.9, 0.9), (0.66, -1.3, 0.35)
-    base = [(-lo[0], lo[1], 0.95), (lo[0], lo[1], 0.95), (lo[0], lo[2], 0.95), (-lo[0], lo[2], 0.95)]
-    top = [(-hi[0], hi[1], 1.42), (hi[0], hi[1], 1.42), (hi[0], hi[2], 1.42), (-hi[0], hi[2], 1.42)]
+    base, top = ([(-x, y0, z), (x, y0, z), (x, y1, z), (-x, y1, z)]
+                 for (x, y0, y1), z in ((lo, 0.95), (hi, 1.42)))
     for i in range(4):
         j = (i + 1) % 4
         mesh.quad("windows", base[i], base[j], top[j], top[i])

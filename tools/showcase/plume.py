@@ -12,9 +12,9 @@ AIR_K, EXIT_K = 288.0, 420.0
 
 
 def rise_m(x: float) -> float:
-    """Height of the axis: Briggs' two-thirds law, 1.6 F^(1/3) x^(2/3) / u, with F = 4 m^4/s^3 and
-    u = 5 m/s (G. A. Briggs, Plume Rise, AEC 1969), begun at a mouth of 1.3 m."""
-    return 1.6 * 4.0 ** (1 / 3) * max(x, 0.0) ** (2 / 3) / 5.0 * 1.6
+    """Height of the axis: Briggs' two-thirds law, 1.6 F^(1/3) x^(2/3) / u, F = 16.4 m^4/s^3 and
+    u = 5 m/s (G. A. Briggs, Plume Rise, AEC 1969)."""
+    return 1.6 * 16.384 ** (1 / 3) * max(x, 0.0) ** (2 / 3) / 5.0
 
 
 def radius_m(x: float) -> float:
