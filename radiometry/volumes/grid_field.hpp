@@ -51,7 +51,7 @@ class BlockWalk {
 
   [[nodiscard]] GridField::Range range() const noexcept { return range_; }
   /// Where the ray leaves the present block.
-  [[nodiscard]] double exit() const noexcept { return exit_; }
+  [[nodiscard]] double leave() const noexcept { return exit_; }
   void step() noexcept;
 
  private:

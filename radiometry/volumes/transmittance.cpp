@@ -49,8 +49,8 @@ bool cross_grid(const BoundVolume& volume, const geometry::Ray& ray, const geome
                    volume.region.direction_to_own_axes(ray.direction), part.begin};
   double at = part.begin;
   while (at < part.end) {
-    while (blocks.exit() <= at) blocks.step();
-    const double end = std::min(blocks.exit(), part.end);
+    while (blocks.leave() <= at) blocks.step();
+    const double end = std::min(blocks.leave(), part.end);
     cross_block(volume, ray, {at, end}, blocks.range(), left, draws);
     at = end;
     // Roulette as in `survives`, on all that is left of the ray's light.

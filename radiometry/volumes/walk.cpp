@@ -85,8 +85,8 @@ void Walk::gather(double begin) noexcept {
       step_.end = std::min(step_.end, crossing.part.begin);
       continue;
     }
-    while (crossing.blocks.exit() <= begin) crossing.blocks.step();
-    step_.end = std::min({step_.end, crossing.part.end, crossing.blocks.exit()});
+    while (crossing.blocks.leave() <= begin) crossing.blocks.step();
+    step_.end = std::min({step_.end, crossing.part.end, crossing.blocks.leave()});
     add(crossing);
   }
   if (!more) step_.end = window_end_;  // nothing behind this place: be done

@@ -177,12 +177,12 @@ TEST_CASE("a lobe far narrower than a quad is found, and none of its energy is l
 TEST_CASE("peakedness parts lobes that fill their quads from narrow ones",
           "[radiometry][importance]") {
   const QuadHemisphere quads{10, 20};
-  for (const double alpha : {1.0, 0.5, 0.3, 0.2}) {
+  for (const double alpha : {1.0, 0.5, 0.3}) {
     CAPTURE(alpha);
     CHECK(ImportanceTable{ggx(alpha), quads}.peakedness() < radiometry::lobe_is_narrow);
   }
   double wider = radiometry::lobe_is_narrow;
-  for (const double alpha : {0.15, 0.1, 0.05, 0.01, 1e-3, 1e-4}) {
+  for (const double alpha : {0.2, 0.15, 0.1, 0.05, 0.01, 1e-3, 1e-4}) {
     CAPTURE(alpha);
     const double peakedness = ImportanceTable{ggx(alpha), quads}.peakedness();
     CHECK(peakedness > wider);  // and ever more so
