@@ -8,6 +8,7 @@
 
 #include "core/diagnostics.hpp"
 #include "materials/bound_material.hpp"
+#include "radiometry/generic_plan.hpp"
 #include "radiometry/importance.hpp"
 
 namespace nadir::bench {
@@ -49,6 +50,14 @@ void add_row(const std::string& name, const materials::Material& material) {
     state.counters["peakedness"] = table.peakedness();
     state.counters["bytes"] = static_cast<double>(table.memory_bytes());
   };
+  const auto plan = [bound](benchmark::State& state) {
+    const materials::SolverSettings settings{.mu_samples = mu_samples, .phi_samples = phi_samples};
+    for ([[maybe_unused]] auto _ : state) {
+      const radiometry::GenericPlan timed{bound, settings};
+      state.counters["by_lobes"] = timed.importance().has_value() ? 0.0 : 1.0;
+    }
+  };
+  benchmark::RegisterBenchmark(("plan/" + name).c_str(), plan)->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark(("importance_table/" + name).c_str(), work)
       ->Unit(benchmark::kMillisecond);
 }

@@ -286,6 +286,19 @@ ImportanceTable::ImportanceTable(const ImportanceSource& source, const QuadHemis
   tabulate(source, quads, tolerance);
 }
 
+bool ImportanceTable::plainly_narrow(const materials::BoundMaterial& material,
+                                     const QuadHemisphere& quads) {
+  const ImportanceSource source = source_of(material);
+  // From slanting, where lobes are narrowest, to steep; azimuths differ for what is anisotropic.
+  for (const Vec3 wo : {Vec3{0.9887, 0.0, 0.15}, Vec3{0.0, 0.9798, 0.2}, Vec3{0.6928, 0.6, 0.4},
+                        Vec3{0.6, 0.0, 0.8}, Vec3{0.0, 0.0, 1.0}}) {
+    if (QuadStatistics{source, quads, wo}.peakedness() > lobe_is_narrow) return true;
+    if (!source.transmits) continue;
+    if (QuadStatistics{source, quads, -wo}.peakedness() > lobe_is_narrow) return true;
+  }
+  return false;
+}
+
 void ImportanceTable::tabulate(const ImportanceSource& source, const QuadHemisphere& quads,
                                double tolerance) {
   DenseMatrix table{static_cast<std::size_t>(views()), static_cast<std::size_t>(quads_)};

@@ -82,6 +82,11 @@ class ImportanceTable {
   ImportanceTable(const ImportanceSource& source, const QuadHemisphere& quads,
                   double tolerance = 0.05);
 
+  /// Whether a few views show already that the lobes are too narrow for quads: a table, which is
+  /// dear for just these materials, would be made in vain.
+  [[nodiscard]] static bool plainly_narrow(const materials::BoundMaterial& material,
+                                           const QuadHemisphere& quads);
+
   [[nodiscard]] int quads() const noexcept { return quads_; }  ///< of both sides together
   [[nodiscard]] int views() const noexcept { return sides_ * mus_ * azimuths_; }
   [[nodiscard]] int rank() const noexcept { return rank_; }
