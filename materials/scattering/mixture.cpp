@@ -114,8 +114,9 @@ double BoundMixture::checked_gain(const Lanes& lanes) const {
     }
   });
   if (largest <= granted) return largest;
-  throw InputError{"mixture: its parts together scatter " + number_text(largest) +
-                   " of the light at " + number_text(where.value) +
+  throw InputError{"mixture: its parts together scatter " +
+                   number_text(std::round(largest * 1e4) / 1e4) + " of the light at " +
+                   number_text(std::round(where.value * 1e6) / 1e6) +
                    " um; more than 1 creates energy"};
 }
 

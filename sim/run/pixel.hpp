@@ -47,10 +47,10 @@ class PixelRenderer {
   const RenderOptions* options_;
   std::uint64_t array_key_;
   using Solver = std::variant<radiometry::GenericSolver, radiometry::PathSolver>;
-  std::vector<Solver> solvers_;                     // one a block
-  std::vector<Welford> spread_;                     // one a band
-  std::vector<spectral::SpectrumSum> lane_sums_;    // one a block
-  std::vector<std::uint32_t> material_votes_;       // one a material, and the sky first
+  std::vector<Solver> solvers_;                   // one a block
+  std::vector<Welford> spread_;                   // one a band
+  std::vector<spectral::SpectrumSum> lane_sums_;  // one a block
+  std::vector<std::uint32_t> material_votes_;     // one a material, and the sky first
   std::uint64_t truth_rays_ = 0;
 };
 

@@ -107,8 +107,8 @@ ElementType solver(const std::string& id, const std::string& doc, const std::str
 std::vector<ElementType> schema_of_light() {
   std::vector<ElementType> all = illumination();
   for (ElementType& type : air()) all.push_back(std::move(type));
-  ElementType scenario_solver = solver(
-      "solver", "How radiance is computed, unless a material says otherwise.", "");
+  ElementType scenario_solver =
+      solver("solver", "How radiance is computed, unless a material says otherwise.", "");
   scenario_solver.attributes.push_back(
       defaulted("method", EnumerationType{{"generic", "path"}}, "", "generic",
                 "generic: the generic radiometry solver, which the attributes above set. path: the "
