@@ -37,8 +37,7 @@ function(nadir_tests name)
   endif()
   add_executable(test_${name} ${sources})
   # Tests drive the library; optimising them would only take time.
-  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  set_target_properties(test_${name} PROPERTIES NADIR_BARE ON
+  set_target_properties(test_${name} PROPERTIES NADIR_BARE ON NADIR_LIGHT ON
     RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
   list(TRANSFORM ARG_LINKS PREPEND "nadir_")
   target_link_libraries(test_${name} PRIVATE
