@@ -116,7 +116,7 @@ std::vector<ElementType> land_models() {
        .name = "rahman_pinty_verstraete",
        .doc = "Vegetation and soil with hot spot (Rahman, Pinty and Verstraete 1993).",
        .attributes = {required("rho0", share(), "", "Amplitude."),
-                      required("k", spectrum(from_to(0.0, 3.0)), "",
+                      required("k", spectrum(from_to(0.0, 2.0)), "",
                                "Exponent: below 1 brighter towards the limb."),
                       required("asymmetry", spectrum({-1.0, 1.0, true, true}), "",
                                "Of the Henyey-Greenstein function; below 0 scatters back."),
