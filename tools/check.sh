@@ -5,7 +5,7 @@
 #
 # Format, include directions, build with warnings as errors, all tests, the tests again under the
 # address and undefined-behaviour sanitizers. --fast leaves the sanitizers out; --all adds clang-tidy
-# over every source, which takes longer than all the rest: continuous integration does it.
+# over every source, which takes longer than all the rest: run it before a release.
 # Works in build-check/ and build-sanitize/, never in build/. Every step runs even where an earlier
 # one failed; the exit status is 0 only if all passed. Run again, it builds, tests and lints only
 # what changed, except that the tests of the release build always run.
