@@ -130,7 +130,7 @@ TEST_CASE("tracing rays asks the heap for nothing", "[radiometry]") {
 TEST_CASE("the allocation counter counts", "[radiometry]") {
   allocations = 0;
   counting = true;
-  delete new int{7};
+  ::operator delete(::operator new(4));  // a new-expression the compiler may leave out
   counting = false;
   CHECK(allocations == 1);
 }
