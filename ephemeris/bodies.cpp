@@ -7,28 +7,35 @@
 #include "core/constants.hpp"
 #include "core/error.hpp"
 #include "core/frame.hpp"
+#include "ephemeris/curve_product.hpp"
 #include "ephemeris/number_text.hpp"
 
 namespace nadir::ephemeris {
 namespace {
 
 using spectral::Curve;
-using spectral::Outside;
-
-// A curve does not tell its rule outside the table; its values there do. Where both ends are 0,
-// `zero` and `hold` are the same curve.
-Outside outside_of(const Curve& curve) {
-  const double below = curve.at(curve.first() * 0.5), above = curve.at(curve.last() * 2.0);
-  if (std::isnan(below)) return Outside::reject;
-  const bool held = below == curve.values().front() && above == curve.values().back();
-  return held ? Outside::hold : Outside::zero;
-}
 
 Curve scaled(const Curve& curve, double factor) {
   if (curve.is_constant()) return Curve::constant(curve.max_value() * factor);
   std::vector<double> values = curve.values();
   for (double& value : values) value *= factor;
   return {curve.wavelengths_um(), std::move(values), outside_of(curve)};
+}
+
+// Ends beyond what any scene asks for, steps of 4 %: the reddest of eclipses is smooth over them.
+std::vector<double> eclipse_grid_um() {
+  constexpr int points = 121;
+  constexpr double first_um = 0.2, last_um = 20.0;
+  std::vector<double> um;
+  for (int i = 0; i < points; ++i) {
+    um.push_back(first_um * std::pow(last_um / first_um, i / (points - 1.0)));
+  }
+  return um;
+}
+
+Curve eclipsed(const Curve& curve, const Eclipse& eclipse) {
+  if (!eclipse.any()) return curve;
+  return product(curve, eclipse_grid_um(), [&](Micrometres um) { return eclipse.factor(um); });
 }
 
 InputIssue mistake(const char* quantity, const std::string& name, double value,
@@ -48,18 +55,20 @@ LightSource source(const std::string& name, const BodyPosition& body, Curve irra
 
 }  // namespace
 
-LightSource sun_light(const BodyPosition& sun, const Curve& irradiance_1au) {
+LightSource sun_light(const BodyPosition& sun, const Curve& irradiance_1au,
+                      const Eclipse& eclipse) {
   const double distance_au = sun.distance.value / astro::astronomical_unit_m;
-  return source("sun", sun, scaled(irradiance_1au, 1.0 / (distance_au * distance_au)));
+  return source("sun", sun,
+                eclipsed(scaled(irradiance_1au, 1.0 / (distance_au * distance_au)), eclipse));
 }
 
-LightSource moon_light(const BodyPosition& moon, const Curve& irradiance) {
-  return source("moon", moon, irradiance);
+LightSource moon_light(const BodyPosition& moon, const Curve& irradiance, const Eclipse& eclipse) {
+  return source("moon", moon, eclipsed(irradiance, eclipse));
 }
 
 Illumination illumination(const SunAndMoon& positions, const Curve& solar_irradiance_1au,
                           const std::optional<Curve>& moon_irradiance) {
-  Illumination bodies{sun_light(positions.sun, solar_irradiance_1au)};
+  Illumination bodies{sun_light(positions.sun, solar_irradiance_1au, solar_eclipse(positions))};
   if (moon_irradiance) bodies.push_back(moon_light(positions.moon, *moon_irradiance));
   return bodies;
 }

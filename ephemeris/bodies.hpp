@@ -4,26 +4,32 @@
 #include <string>
 
 #include "core/quantity.hpp"
+#include "ephemeris/eclipse.hpp"
 #include "ephemeris/illumination.hpp"
 #include "ephemeris/sun_moon.hpp"
 #include "spectral/curve.hpp"
 
 namespace nadir::ephemeris {
 
-/// The sun as a source: E(lambda) = E_1au(lambda) / d^2, with d the distance in au.
+/// The sun as a source: E(lambda) = E_1au(lambda) / d^2, with d the distance in au, times what an
+/// eclipse leaves of it.
 ///
 /// The direction is without refraction. A sun below the horizon is a source too: what stands
-/// above the horizon is for whoever has the scene to say.
+/// above the horizon is for whoever has the scene to say. An eclipsed body keeps its whole disc, of
+/// the radiance that makes its irradiance right.
 /// @param irradiance_1au  solar irradiance at 1 au, W m^-2 um^-1
 /// @throws InputError where a value of the curve is negative
-[[nodiscard]] LightSource sun_light(const BodyPosition& sun, const spectral::Curve& irradiance_1au);
+[[nodiscard]] LightSource sun_light(const BodyPosition& sun, const spectral::Curve& irradiance_1au,
+                                    const Eclipse& eclipse = {});
 
 /// The moon as a source of a given brightness.
 /// @param irradiance  outside the air at the site, at this phase and distance, W m^-2 um^-1
+/// @param eclipse     what the irradiance does not know of
 /// @throws InputError where a value of the curve is negative
-[[nodiscard]] LightSource moon_light(const BodyPosition& moon, const spectral::Curve& irradiance);
+[[nodiscard]] LightSource moon_light(const BodyPosition& moon, const spectral::Curve& irradiance,
+                                     const Eclipse& eclipse = {});
 
-/// Both: the sun, and the moon where its irradiance is given.
+/// Both: the sun, eclipsed or not, and the moon where its irradiance is given, as it is given.
 [[nodiscard]] Illumination illumination(const SunAndMoon& positions,
                                         const spectral::Curve& solar_irradiance_1au,
                                         const std::optional<spectral::Curve>& moon_irradiance = {});

@@ -18,6 +18,7 @@ enum class Body { sun, moon };
 // BCRS, unless the name says otherwise.
 constexpr double light_days_per_au = ERFA_AULT / ERFA_DAYSEC;
 
+Metres metres(double au) { return Metres{au * astro::astronomical_unit_m}; }
 Vec3 vec(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 struct Earth {
@@ -32,42 +33,41 @@ Earth earth_at(TtDate tt) {
   return earth;
 }
 
-Vec3 body_at(Body body, TtDate tt) {
-  const Earth earth = earth_at(tt);
-  const Vec3 barycentric = vec(earth.barycentric[0]);
-  if (body == Body::sun) return barycentric - vec(earth.heliocentric[0]);
+// Where a body was some days before a moment whose earth is given. In the 1.3 s of the moon's light
+// the earth leaves its straight line by 1 cm; in the 500 s of the sun's the earth's two places
+// leave theirs together, and the sun is their difference.
+Vec3 body_before(Body body, TtDate tt, const Earth& earth, double days) {
+  const Vec3 barycentric = vec(earth.barycentric[0]) - days * vec(earth.barycentric[1]);
+  if (body == Body::sun) {
+    return barycentric - (vec(earth.heliocentric[0]) - days * vec(earth.heliocentric[1]));
+  }
   double geocentric[2][3];
-  eraMoon98(tt.day, tt.fraction, geocentric);
+  eraMoon98(tt.day, tt.fraction - days, geocentric);
   return barycentric + vec(geocentric[0]);
 }
 
 // What ERFA keeps of an observer at a moment: place, velocity, axes. The same steps as eraApco13,
 // which takes UTC alone and so cannot serve before 1960. No polar motion, no refraction.
-eraASTROM observer_at(const Instant& instant, const Site& site) {
-  const TtDate tt = instant.tt();
+eraASTROM observer_at(const Instant& instant, const Site& site, const CelestialPole& pole,
+                      Earth earth) {
   const Ut1Date ut1 = instant.ut1();
-  Earth earth = earth_at(tt);
-  double bias_precession_nutation[3][3], x = 0.0, y = 0.0;
-  eraPnm06a(tt.day, tt.fraction, bias_precession_nutation);
-  eraBpn2xy(bias_precession_nutation, &x, &y);
-  const double s = eraS06(tt.day, tt.fraction, x, y);
   eraASTROM observer;
-  eraApco(tt.day, tt.fraction, earth.barycentric, earth.heliocentric[0], x, y, s,
-          eraEra00(ut1.day, ut1.fraction), degrees(site.longitude_deg).value,
-          degrees(site.latitude_deg).value, site.height_m, 0.0, 0.0, eraSp00(tt.day, tt.fraction),
-          0.0, 0.0, &observer);
+  eraApco(instant.tt().day, instant.tt().fraction, earth.barycentric, earth.heliocentric[0], pole.x,
+          pole.y, pole.s, eraEra00(ut1.day, ut1.fraction), degrees(site.longitude_deg).value,
+          degrees(site.latitude_deg).value, site.height_m, 0.0, 0.0, pole.sp, 0.0, 0.0, &observer);
   return observer;
 }
 
-// From the observer to where the body was when the light left it.
-Vec3 seen_from(const eraASTROM& observer, Body body, TtDate tt) {
-  Vec3 path = body_at(body, tt) - vec(observer.eb);
-  // The bodies move 1e-4 of the light's path: two rounds leave 1e-12.
-  for (int round = 0; round < 2; ++round) {
-    const TtDate emitted{tt.day, tt.fraction - length(path) * light_days_per_au};
-    path = body_at(body, emitted) - vec(observer.eb);
-  }
-  return path;
+// From an observer now to a body now, and to where it was when the light left it.
+struct Paths {
+  Vec3 now, seen;
+};
+
+Paths paths_to(Body body, Vec3 observer, TtDate tt, const Earth& earth) {
+  const Vec3 now = body_before(body, tt, earth, 0.0) - observer;
+  // The bodies move 1e-4 of the light's path while it is under way: one round leaves 1e-8 rad.
+  const double under_way_days = length(now) * light_days_per_au;
+  return {now, body_before(body, tt, earth, under_way_days) - observer};
 }
 
 struct Sky {
@@ -94,32 +94,58 @@ BodyPosition position(const Sky& sky, double distance_au, double radius_m, const
   body.azimuth = sky.azimuth;
   body.elevation = sky.elevation;
   body.apparent_elevation = sky.elevation + refraction(sky.elevation, air);
-  body.distance = Metres{distance_au * astro::astronomical_unit_m};
+  body.distance = metres(distance_au);
   body.angular_radius = Angle{std::asin(radius_m / body.distance.value)};
   body.direction_enu = direction_enu(sky.azimuth.value, sky.elevation.value);
   return body;
-}
-
-MoonPhase phase_of(Vec3 moon_to_sun, Vec3 moon_to_observer) {
-  const double sine = length(cross(moon_to_sun, moon_to_observer));
-  const Angle phase{std::atan2(sine, dot(moon_to_sun, moon_to_observer))};
-  return {phase, illuminated_fraction(phase)};
 }
 
 }  // namespace
 
 double illuminated_fraction(Angle phase) noexcept { return (1.0 + std::cos(phase.value)) / 2.0; }
 
-SunAndMoon sun_and_moon(const Instant& instant, const Site& site, const AirAtSite& air) {
-  const eraASTROM observer = observer_at(instant, checked(site));
+CelestialPole celestial_pole(TtDate tt) {
+  double bias_precession_nutation[3][3];
+  CelestialPole pole;
+  eraPnm06a(tt.day, tt.fraction, bias_precession_nutation);
+  eraBpn2xy(bias_precession_nutation, &pole.x, &pole.y);
+  pole.s = eraS06(tt.day, tt.fraction, pole.x, pole.y);
+  pole.sp = eraSp00(tt.day, tt.fraction);
+  return pole;
+}
+
+SunAndMoon sun_and_moon(const Instant& instant, const Site& site, const AirAtSite& air,
+                        const CelestialPole& pole) {
   const TtDate tt = instant.tt();
-  const Vec3 to_sun = body_at(Body::sun, tt) - vec(observer.eb);
-  const Vec3 to_moon = body_at(Body::moon, tt) - vec(observer.eb);
-  const Sky sun = on_sky(seen_from(observer, Body::sun, tt), observer);
-  const Sky moon = on_sky(seen_from(observer, Body::moon, tt), observer);
-  return {position(sun, length(to_sun), astro::solar_radius_m, air),
-          position(moon, length(to_moon), astro::lunar_radius_m, air),
-          phase_of(to_sun - to_moon, -to_moon)};
+  const Earth earth = earth_at(tt);
+  const eraASTROM observer = observer_at(instant, checked(site), pole, earth);
+  const Paths to_sun = paths_to(Body::sun, vec(observer.eb), tt, earth);
+  const Paths to_moon = paths_to(Body::moon, vec(observer.eb), tt, earth);
+  const Sky sun = on_sky(to_sun.seen, observer), moon = on_sky(to_moon.seen, observer);
+  constexpr double au = astro::astronomical_unit_m;
+  const LunarGeometry lunar =
+      lunar_geometry(au * (to_sun.now - to_moon.now), -au * to_moon.now, tt);
+  return {position(sun, length(to_sun.now), astro::solar_radius_m, air),
+          position(moon, length(to_moon.now), astro::lunar_radius_m, air),
+          {lunar.phase, illuminated_fraction(lunar.phase)},
+          lunar};
+}
+
+SunAndMoon sun_and_moon(const Instant& instant, const Site& site, const AirAtSite& air) {
+  return sun_and_moon(instant, site, air, celestial_pole(instant.tt()));
+}
+
+// Aberration to first order, which is 1e-8 rad short.
+ShadowGeometry earth_shadow(const Instant& instant) {
+  const TtDate tt = instant.tt();
+  const Earth earth = earth_at(tt);
+  const Vec3 place = vec(earth.barycentric[0]);
+  const Vec3 velocity = vec(earth.barycentric[1]) * light_days_per_au;  // of that of light
+  const Paths to_sun = paths_to(Body::sun, place, tt, earth);
+  const Paths to_moon = paths_to(Body::moon, place, tt, earth);
+  const Vec3 sun = normalised(to_sun.seen) + velocity, moon = normalised(to_moon.seen) + velocity;
+  const Angle offset{std::atan2(length(cross(sun, moon)), -dot(sun, moon))};
+  return {offset, metres(length(to_moon.now)), metres(length(to_sun.now))};
 }
 
 }  // namespace nadir::ephemeris

@@ -3,6 +3,7 @@
 #include "core/quantity.hpp"
 #include "core/vec.hpp"
 #include "ephemeris/instant.hpp"
+#include "ephemeris/lunar_geometry.hpp"
 #include "ephemeris/refraction.hpp"
 #include "ephemeris/site.hpp"
 
@@ -31,7 +32,17 @@ struct SunAndMoon {
   BodyPosition sun;
   BodyPosition moon;
   MoonPhase phase;
+  LunarGeometry lunar;  ///< as seen from the site
 };
+
+/// The celestial pole of a date, precession and nutation (IAU 2006/2000A): the dear part of a
+/// position. It moves by 0.3 arcsec a day at most.
+struct CelestialPole {
+  double x = 0.0, y = 0.0;  ///< of the celestial intermediate pole
+  double s = 0.0;           ///< CIO locator, rad
+  double sp = 0.0;          ///< TIO locator, rad
+};
+[[nodiscard]] CelestialPole celestial_pole(TtDate tt);
 
 /// The fraction of a distant sphere's disc that is lit, (1 + cos phase) / 2.
 [[nodiscard]] double illuminated_fraction(Angle phase) noexcept;
@@ -49,5 +60,19 @@ struct SunAndMoon {
 /// @throws InputError for a site outside its ranges
 [[nodiscard]] SunAndMoon sun_and_moon(const Instant& instant, const Site& site,
                                       const AirAtSite& air = {});
+
+/// The same with a pole of that day, for many instants within it. About 0.1 ms.
+[[nodiscard]] SunAndMoon sun_and_moon(const Instant& instant, const Site& site,
+                                      const AirAtSite& air, const CelestialPole& pole);
+
+/// Where the earth's shadow falls, as seen from the centre of the earth: light time and aberration
+/// included.
+struct ShadowGeometry {
+  Angle offset;          ///< of the moon's centre from the point opposite the sun
+  Metres moon_distance;  ///< from the earth's centre
+  Metres sun_distance;   ///< from the earth's centre
+};
+
+[[nodiscard]] ShadowGeometry earth_shadow(const Instant& instant);
 
 }  // namespace nadir::ephemeris

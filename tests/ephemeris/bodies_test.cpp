@@ -77,6 +77,33 @@ TEST_CASE("the moon lights only where its irradiance is given", "[ephemeris][bod
   CHECK(both[1].irradiance.at(0.55_um) == 1e-3);  // as given, not scaled
 }
 
+TEST_CASE("an eclipse takes its share of a body's light", "[ephemeris][bodies]") {
+  const Eclipse half{{0.5, 0.4}, 0.0, 0.6};
+  const BodyPosition at_1au = at_distance(astro::astronomical_unit_m);
+  const Curve sun = table(Outside::reject);
+  const LightSource eclipsed = sun_light(at_1au, sun, half);
+  for (const Micrometres wavelength : {0.5_um, 0.62_um, 1.0_um}) {
+    // 4 % steps of the factor's table, straight between
+    CHECK(eclipsed.irradiance.at(wavelength) ==
+          Approx(sun.at(wavelength) * half.factor(wavelength)).epsilon(1e-4));
+  }
+  CHECK(std::isnan(eclipsed.irradiance.at(1.1_um)));
+  CHECK(eclipsed.angular_radius == at_1au.angular_radius);
+  const LightSource moon = moon_light(at_distance(384.4e6), Curve::constant(1e-3), half);
+  CHECK(moon.irradiance.at(0.55_um) == Approx(1e-3 * half.factor(0.55_um)).epsilon(1e-3));
+}
+
+TEST_CASE("both bodies in one place are a total eclipse, whose moon stays as given",
+          "[ephemeris][bodies]") {
+  SunAndMoon positions;
+  positions.sun = at_distance(astro::astronomical_unit_m);
+  positions.moon = at_distance(384.4e6);
+  positions.moon.angular_radius = 0.27_deg;
+  const Illumination both = illumination(positions, table(Outside::zero), Curve::constant(1e-3));
+  CHECK(both[0].irradiance.max_value() == 0.0);
+  CHECK(both[1].irradiance.at(0.55_um) == 1e-3);
+}
+
 TEST_CASE("a fixed body stands where it is put", "[ephemeris][bodies]") {
   const LightSource east =
       fixed_light({"lamp", 90.0_deg, 30.0_deg, 0.25_deg}, Curve::constant(5.0));
