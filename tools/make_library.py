@@ -13,7 +13,8 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from library import atmosphere, illumination, optics, responses, surfaces  # noqa: E402
+from library import (  # noqa: E402
+    air_gases, air_particles, atmosphere, illumination, lunar, night_sky, optics, responses, surfaces)
 
 
 def main() -> int:
@@ -28,7 +29,11 @@ def main() -> int:
     optics.write(options.reference_dir, options.output)
     responses.write(options.reference_dir, options.output)
     solar = illumination.write(options.reference_dir, options.output)
+    lunar.write(options.reference_dir, options.output)
     atmosphere.write(options.reference_dir, options.output, solar)
+    air_gases.write(options.reference_dir, options.output)
+    air_particles.write(options.reference_dir, options.output)
+    night_sky.write(options.reference_dir, options.output, solar)
     return 0
 
 
