@@ -1,6 +1,7 @@
 # Every library that Nadir uses, found once, under the names that the folders link.
 find_package(PkgConfig REQUIRED)
 find_package(TBB REQUIRED CONFIG)
+find_package(Eigen3 REQUIRED CONFIG)
 find_package(tinyxml2 REQUIRED CONFIG)
 find_package(OpenEXR REQUIRED CONFIG)
 find_package(CLI11 REQUIRED CONFIG)
