@@ -25,6 +25,9 @@ BoundAtmosphere::BoundAtmosphere(const Atmosphere& atmosphere, const Lanes& lane
       shaped_{lanes.count()},
       direct_{lanes.count(), 1.0F},
       path_{Spectrum{lanes.count(), 1.0F}, Spectrum{lanes.count()}} {
+  if (const auto* tabulated = std::get_if<Tabulated>(&atmosphere)) {
+    table_.emplace(tabulated->table, tabulated->ground, lanes);
+  }
   const auto* uniform = std::get_if<Uniform>(&atmosphere);
   if (uniform == nullptr) return;
   using spectral::at_all;
@@ -38,18 +41,23 @@ BoundAtmosphere::BoundAtmosphere(const Atmosphere& atmosphere, const Lanes& lane
 }
 
 Spectrum BoundAtmosphere::sky(Vec3 direction_enu) const noexcept {
+  if (table_) return table_->sky(direction_enu);
   if (even_sky()) return sky_;
   const double shape = 3.0 / 7.0 * (1.0 + 2.0 * std::max(direction_enu.z, 0.0));
   Spectrum radiance = sky_;
   return radiance.add_scaled(shaped_, static_cast<float>(shape));
 }
 
-Spectrum BoundAtmosphere::direct_transmittance(Vec3 /*direction_enu*/) const noexcept {
-  return direct_;
+Spectrum BoundAtmosphere::direct_transmittance(Vec3 direction_enu) const noexcept {
+  return table_ ? table_->direct_transmittance(direction_enu) : direct_;
 }
 
-PathTerms BoundAtmosphere::path(Vec3 /*direction_enu*/, double /*length_m*/) const noexcept {
-  return path_;
+PathTerms BoundAtmosphere::path(Vec3 eye, Vec3 direction, double length_m) const noexcept {
+  return table_ ? table_->path(eye, direction, length_m) : path_;
+}
+
+Spectrum BoundAtmosphere::beyond(Vec3 eye, Vec3 direction) const noexcept {
+  return table_ ? table_->beyond(eye, direction) : sky(direction);
 }
 
 }  // namespace nadir::atmosphere

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <variant>
 
+#include "atmosphere/path_terms.hpp"
+#include "atmosphere/table/air_table.hpp"
+#include "atmosphere/table/bound_air_table.hpp"
 #include "core/quantity.hpp"
 #include "core/vec.hpp"
 #include "spectral/curve.hpp"
@@ -33,14 +38,14 @@ struct Uniform {
   SkyShape sky_shape = SkyShape::even;  ///< of sky_radiance; the sky's emission is always even
 };
 
-/// What the user describes. The full model of the air will be one more alternative.
-using Atmosphere = std::variant<None, Uniform>;
-
-/// What a path through the air does to the radiance L at its far end: transmittance * L + path.
-struct PathTerms {
-  spectral::Spectrum transmittance;
-  spectral::Spectrum radiance;
+/// Air whose light was computed, or measured, beforehand, and the ground that lights it from below.
+struct Tabulated {
+  std::shared_ptr<const AirTable> table;
+  GroundLight ground;
 };
+
+/// The air as the radiometry solvers take it.
+using Atmosphere = std::variant<None, Uniform, Tabulated>;
 
 /// An atmosphere at the wavelengths of one block of lanes: what rays look up.
 class BoundAtmosphere {
@@ -52,11 +57,13 @@ class BoundAtmosphere {
   /// and moon. `direction_enu` points away from the surface.
   [[nodiscard]] spectral::Spectrum sky(Vec3 direction_enu) const noexcept;
   /// Whether the sky is alike in all directions.
-  [[nodiscard]] bool even_sky() const noexcept { return shape_ == SkyShape::even; }
+  [[nodiscard]] bool even_sky() const noexcept { return !table_ && shape_ == SkyShape::even; }
   /// Share of a body's irradiance that reaches a surface.
   [[nodiscard]] spectral::Spectrum direct_transmittance(Vec3 direction_enu) const noexcept;
-  /// The path from a surface to the sensor, `length_m` long.
-  [[nodiscard]] PathTerms path(Vec3 direction_enu, double length_m) const noexcept;
+  /// The way from the sensor's eye to a surface, `length_m` along a unit direction; scene axes.
+  [[nodiscard]] PathTerms path(Vec3 eye, Vec3 direction, double length_m) const noexcept;
+  /// What arrives at the sensor's eye from a direction in which it sees nothing of the scene.
+  [[nodiscard]] spectral::Spectrum beyond(Vec3 eye, Vec3 direction) const noexcept;
 
  private:
   spectral::Spectrum sky_;     // even part
@@ -64,6 +71,7 @@ class BoundAtmosphere {
   SkyShape shape_ = SkyShape::even;
   spectral::Spectrum direct_;
   PathTerms path_;
+  std::optional<BoundAirTable> table_;  // in place of all others
 };
 
 }  // namespace nadir::atmosphere

@@ -48,8 +48,9 @@ Spectrum GenericSolver::aperture_radiance(const Ray& ray, const std::optional<Hi
   SpectrumSum sum{scene_->lanes().count()};
   Arrival arrival{Spectrum{scene_->lanes().count(), 1.0F}};
   arrival.lights.seen = true;
+  arrival.at_sensor = true;
   if (hit) {
-    const atmosphere::PathTerms path = scene_->air().path(-ray.direction, hit->distance);
+    const atmosphere::PathTerms path = scene_->air().path(ray.origin, ray.direction, hit->distance);
     sum.add(path.radiance);
     arrival.factor = path.transmittance;
   }
@@ -275,7 +276,11 @@ void GenericSolver::receive(const Ray& ray, const std::optional<Hit>& hit, Arriv
 }
 
 void GenericSolver::add_sky(const Ray& ray, const Arrival& arrival, SpectrumSum& sum) const {
-  sum.add_product(arrival.factor, scene_->air().sky(ray.direction), arrival.direct_share);
+  const atmosphere::BoundAtmosphere& air = scene_->air();
+  sum.add_product(
+      arrival.factor,
+      arrival.at_sensor ? air.beyond(ray.origin, ray.direction) : air.sky(ray.direction),
+      arrival.direct_share);
   if (!arrival.lights.seen) return;
   for (const Target& target : scene_->targets()) {
     if (!target.covers(ray.direction)) continue;

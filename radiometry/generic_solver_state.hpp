@@ -115,6 +115,7 @@ struct GenericSolver::Arrival {
   double weight = 1.0;
   int generation = 0;  // of the hit
   LightsAlong lights{};
+  bool at_sensor = false;  // the air between is to be added where nothing is hit
 };
 
 }  // namespace nadir::radiometry

@@ -60,7 +60,7 @@ Spectrum PathSolver::aperture_radiance(const Ray& ray, const std::optional<Hit>&
   SpectrumSum radiance{scene_->lanes().count()};
   Walk walk{ray, Spectrum{scene_->lanes().count(), 1.0F}, &radiance, numbers};
   if (hit) {
-    const atmosphere::PathTerms path = scene_->air().path(-ray.direction, hit->distance);
+    const atmosphere::PathTerms path = scene_->air().path(ray.origin, ray.direction, hit->distance);
     radiance.add(path.radiance);
     walk.throughput = path.transmittance;
   }
@@ -87,18 +87,20 @@ void PathSolver::follow(Walk& walk) {
     ++counters_.path_rays;
     const auto hit = scene_->intersect(walk.ray, walk.numbers);
     const double distance = hit ? hit->distance : std::numeric_limits<double>::infinity();
-    const BoundVolumes& volumes = scene_->volumes();
-    if (!volumes.empty() && volumes.crossed(walk.ray, distance)) {
-      const auto event = volumes.fly(walk.ray, distance, walk.numbers.child(Branch::flight),
-                                     walk.throughput, *walk.radiance);
-      if (!(walk.throughput.max() > 0.0F)) return;
-      if (event) {
-        if (!scatter_in_volume(walk, *event)) return;
-        continue;
-      }
-    }
-    if (!arrive(walk, hit)) return;
+    const Flight flight = fly(walk, distance);
+    if (flight == Flight::ends) return;
+    if (flight == Flight::arrives && !arrive(walk, hit)) return;
   }
+}
+
+PathSolver::Flight PathSolver::fly(Walk& walk, double distance) {
+  const BoundVolumes& volumes = scene_->volumes();
+  if (volumes.empty() || !volumes.crossed(walk.ray, distance)) return Flight::arrives;
+  const auto event = volumes.fly(walk.ray, distance, walk.numbers.child(Branch::flight),
+                                 walk.throughput, *walk.radiance);
+  if (!(walk.throughput.max() > 0.0F)) return Flight::ends;
+  if (!event) return Flight::arrives;
+  return scatter_in_volume(walk, *event) ? Flight::scatters : Flight::ends;
 }
 
 bool PathSolver::arrive(Walk& walk, const std::optional<Hit>& hit) {
@@ -114,7 +116,10 @@ bool PathSolver::arrive(Walk& walk, const std::optional<Hit>& hit) {
 
 void PathSolver::add_sky(Walk& walk) const {
   const Vec3 towards = walk.ray.direction;
-  walk.radiance->add(scene_->air().sky(towards) * walk.throughput);
+  const atmosphere::BoundAtmosphere& air = scene_->air();
+  // Only the sensor's own ray has the sensor's air before it.
+  const Spectrum sky = walk.bounces == 0 ? air.beyond(walk.ray.origin, towards) : air.sky(towards);
+  walk.radiance->add(sky * walk.throughput);
   for (const Target& target : scene_->targets()) {
     if (!target.covers(towards)) continue;
     // Balance heuristic against the ray that is sent to every disc.

@@ -40,6 +40,9 @@ class PathSolver {
   /// Takes in what the walk meets; false where it ends.
   bool arrive(Walk& walk, const std::optional<geometry::Hit>& hit);
   void follow(Walk& walk);
+  /// Through the volumes before the next surface.
+  enum class Flight { arrives, scatters, ends };
+  [[nodiscard]] Flight fly(Walk& walk, double distance);
   void add_sky(Walk& walk) const;
   void add_emission(Walk& walk, const SurfacePoint& point) const;
   void add_surface_lights(const Walk& walk, const SurfacePoint& point);

@@ -49,7 +49,8 @@ Vec3 SkyDistribution::sample(Vec2 u) const noexcept {
   const auto cell = static_cast<int>(found - cumulative_.begin());
   const double before = cell > 0 ? cumulative_[static_cast<std::size_t>(cell) - 1] : 0.0;
   const double inside = (u.x - before) / (*found - before);  // u.x is used twice: cell, row in it
-  return direction_at(cell / columns + inside, cell % columns + u.y);
+  const int row = cell / columns;
+  return direction_at(row + inside, cell % columns + u.y);
 }
 
 double SkyDistribution::pdf(Vec3 direction) const noexcept {
@@ -57,7 +58,7 @@ double SkyDistribution::pdf(Vec3 direction) const noexcept {
   const int row = std::clamp(static_cast<int>((1.0 - direction.z) * 0.5 * rows), 0, rows - 1);
   const int column =
       std::clamp(static_cast<int>((turn < 0.0 ? turn + 1.0 : turn) * columns), 0, columns - 1);
-  const auto cell = static_cast<std::size_t>(row * columns + column);
+  const auto cell = static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
   const double share = cumulative_[cell] - (cell > 0 ? cumulative_[cell - 1] : 0.0);
   return share * cells / (4.0 * std::numbers::pi);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "spectral/gauss_rule.hpp"
@@ -93,7 +94,53 @@ double newton_step(double t, double wanted, double found, double derivative) noe
   return t / (1.0 - std::log(wanted / found) * found / (derivative * t));
 }
 
+/// The integral of a response over [lo, hi] of a panel in which it is smooth.
+double panel_integral(const Response& response, double lo, double hi) {
+  static const Rule gauss = gauss_legendre(16);  // exact for tables; 1e-15 for an 8th of a Gaussian
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
+    const double lambda_um = std::lerp(lo, hi, 0.5 * (gauss.nodes[i] + 1.0));
+    sum += gauss.weights[i] * at(response, Micrometres{lambda_um});
+  }
+  return sum * 0.5 * (hi - lo);
+}
+
+/// Where in [lo, hi] the integral from lo has grown to `wanted`.
+double quantile_in_panel(const Response& response, double lo, double hi, double wanted) {
+  double below = lo, above = hi;
+  for (int i = 0; i < 60; ++i) {  // halving to the last bit
+    const double middle = std::midpoint(below, above);
+    (panel_integral(response, lo, middle) < wanted ? below : above) = middle;
+  }
+  return std::midpoint(below, above);
+}
+
+/// Which lane of which block is the n-th of all.
+SpectralPlan::Term term_of(std::ptrdiff_t n, double weight) {
+  return {static_cast<int>(n / lane_capacity), static_cast<int>(n % lane_capacity), weight};
+}
+
 }  // namespace
+
+std::vector<Micrometres> interval_edges(const Response& response, const BandQuadrature& band) {
+  const std::vector<double> panels = panel_edges(response);
+  std::vector<double> grown{0.0};
+  for (std::size_t k = 1; k < panels.size(); ++k) {
+    grown.push_back(grown.back() + panel_integral(response, panels[k - 1], panels[k]));
+  }
+  std::vector<Micrometres> edges{Micrometres{panels.front()}};
+  double share = 0.0;
+  for (std::size_t i = 0; i + 1 < band.weights.size(); ++i) {
+    share += band.weights[i];
+    const double wanted = share * grown.back();
+    const auto next = std::upper_bound(grown.begin() + 1, grown.end() - 1, wanted);
+    const auto k = static_cast<std::size_t>(next - grown.begin());
+    edges.emplace_back(
+        quantile_in_panel(response, panels[k - 1], panels[k], wanted - grown[k - 1]));
+  }
+  edges.emplace_back(panels.back());
+  return edges;
+}
 
 BandQuadrature gauss_quadrature(const Response& response, int count) {
   if (count < 1 || count > most_wavelengths) {
@@ -157,8 +204,38 @@ SpectralPlan plan_lanes(const std::vector<BandQuadrature>& bands) {
     for (std::size_t i = 0; i < band.wavelengths.size(); ++i) {
       // The last distinct wavelength that is not above this one stands for it.
       const auto next = std::upper_bound(distinct.begin(), distinct.end(), band.wavelengths[i]);
-      const int index = static_cast<int>(next - distinct.begin()) - 1;
-      terms.push_back({index / lane_capacity, index % lane_capacity, band.weights[i]});
+      terms.push_back(term_of(next - distinct.begin() - 1, band.weights[i]));
+    }
+  }
+  return plan;
+}
+
+SpectralPlan plan_split_lanes(const std::vector<std::vector<LaneShare>>& bands) {
+  using Key = std::pair<Micrometres, AbsorptionLane>;
+  std::vector<Key> distinct;
+  for (const auto& band : bands) {
+    for (const LaneShare& lane : band) distinct.emplace_back(lane.wavelength, lane.absorption);
+  }
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+
+  SpectralPlan plan;
+  for (std::size_t i = 0; i < distinct.size(); i += lane_capacity) {
+    const std::size_t end = std::min(i + lane_capacity, distinct.size());
+    std::vector<Micrometres> wavelengths;
+    std::vector<AbsorptionLane> absorption;
+    for (std::size_t k = i; k < end; ++k) {
+      wavelengths.push_back(distinct[k].first);
+      absorption.push_back(distinct[k].second);
+    }
+    plan.blocks.emplace_back(std::move(wavelengths), std::move(absorption));
+  }
+  for (const auto& band : bands) {
+    auto& terms = plan.bands.emplace_back();
+    for (const LaneShare& lane : band) {
+      const auto found =
+          std::lower_bound(distinct.begin(), distinct.end(), Key{lane.wavelength, lane.absorption});
+      terms.push_back(term_of(found - distinct.begin(), lane.weight));
     }
   }
   return plan;

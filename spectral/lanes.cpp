@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
@@ -20,14 +21,23 @@ void check_count(std::size_t count) {
 
 }  // namespace
 
-Lanes::Lanes(std::vector<Micrometres> wavelengths) : wavelengths_{std::move(wavelengths)} {
+Lanes::Lanes(std::vector<Micrometres> wavelengths, std::vector<AbsorptionLane> absorption)
+    : wavelengths_{std::move(wavelengths)}, absorption_{std::move(absorption)} {
   check_count(wavelengths_.size());
+  if (!absorption_.empty() && absorption_.size() != wavelengths_.size()) {
+    throw InputError{"expected one absorption term a wavelength"};
+  }
+  const auto after = [this](int lane) {
+    const AbsorptionLane a = this->absorption(lane - 1), b = this->absorption(lane);
+    return std::tie(a.lo_um, a.hi_um, a.term) < std::tie(b.lo_um, b.hi_um, b.term);
+  };
   Micrometres previous{0.0};
-  for (const Micrometres wavelength : wavelengths_) {
+  for (int lane = 0; lane < count(); ++lane) {
+    const Micrometres wavelength = (*this)[lane];
     if (!std::isfinite(wavelength.value) || wavelength.value <= 0.0) {
       throw InputError{"expected a positive wavelength, found " + um(wavelength)};
     }
-    if (wavelength <= previous) {
+    if (wavelength < previous || (wavelength == previous && !after(lane))) {
       throw InputError{"expected ascending wavelengths, found " + um(wavelength) + " after " +
                        um(previous)};
     }

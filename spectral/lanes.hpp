@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -13,22 +14,39 @@ namespace nadir::spectral {
 /// Wavelengths that one ray can carry. More are simulated in blocks.
 inline constexpr int lane_capacity = 128;
 
-/// The wavelengths that the lanes of a block stand for, ascending. At most lane_capacity of them.
+/// How the gases of the air are met at a lane. Lines of absorption are far narrower than any band:
+/// a lane stands for an interval about its wavelength, and shares it with others of the same
+/// wavelength, one for each term of the sum of exponentials that is the interval's transmittance.
+/// Along each of them light then obeys Beer's law.
+struct AbsorptionLane {
+  double lo_um = 0.0, hi_um = 0.0;  ///< the interval; lo = hi = 0: the wavelength alone
+  int term = 0;                     ///< which term of that sum
+
+  [[nodiscard]] auto operator<=>(const AbsorptionLane&) const = default;  // interval, then term
+};
+
+/// The wavelengths that the lanes of a block stand for, ascending; lanes of the same wavelength
+/// ascend in their interval, then in their term. At most lane_capacity of them.
 class Lanes {
  public:
   Lanes() = default;
+  /// @param absorption  one a lane, or empty where none is split into terms
   /// @throws InputError for none, too many, not ascending, or not positive wavelengths.
-  explicit Lanes(std::vector<Micrometres> wavelengths);
+  explicit Lanes(std::vector<Micrometres> wavelengths, std::vector<AbsorptionLane> absorption = {});
 
   [[nodiscard]] int count() const noexcept { return static_cast<int>(wavelengths_.size()); }
   [[nodiscard]] Micrometres operator[](int lane) const {
     return wavelengths_[static_cast<std::size_t>(lane)];
+  }
+  [[nodiscard]] AbsorptionLane absorption(int lane) const {
+    return absorption_.empty() ? AbsorptionLane{} : absorption_[static_cast<std::size_t>(lane)];
   }
   [[nodiscard]] auto begin() const noexcept { return wavelengths_.begin(); }
   [[nodiscard]] auto end() const noexcept { return wavelengths_.end(); }
 
  private:
   std::vector<Micrometres> wavelengths_;
+  std::vector<AbsorptionLane> absorption_;  // one a lane, or none at all
 };
 
 /// One number per lane, in float, without heap. The loops run over whole groups of eight lanes so

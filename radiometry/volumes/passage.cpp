@@ -1,4 +1,5 @@
 #include "radiometry/volumes/passage.hpp"
+#include "spectral/exp_minus.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,7 @@ Passage passage(const Spectrum& extinction, double length) noexcept {
   const auto d = static_cast<float>(length);
   for (int lane = 0; lane < extinction.count(); ++lane) {
     const float tau = extinction[lane] * d;
-    const float left = exp_minus(tau);
+    const float left = spectral::exp_minus(tau);
     // (1 - exp(-tau)) / tau: where 1 - exp(-tau) has lost digits, Taylor to tau^6 / 7!: 2e-7 at
     // 0.5.
     const float series =
@@ -74,7 +75,7 @@ Scattered place_in_constant(const Step& step, const geometry::Interval& part,
   Scattered scattered{part.begin + along, nullptr, weight};
   const auto t = static_cast<float>(along);
   for (int i = 0; i < weight.count(); ++i) {
-    scattered.weight[i] *= exp_minus(step.extinction[i] * t);
+    scattered.weight[i] *= spectral::exp_minus(step.extinction[i] * t);
   }
   std::array<double, most_overlapping> chance{};
   double all = 0.0;

@@ -3,6 +3,7 @@
 #include "radiometry/volumes/bound_volumes.hpp"
 #include "radiometry/volumes/chance.hpp"
 #include "radiometry/volumes/passage.hpp"
+#include "spectral/exp_minus.hpp"
 
 namespace nadir::radiometry {
 namespace {
@@ -17,7 +18,7 @@ struct Attenuation {
   /// The mean over lanes of what is left.
   [[nodiscard]] double mean() const noexcept {
     Spectrum left = ratio;
-    for (int lane = 0; lane < left.count(); ++lane) left[lane] *= exp_minus(depth[lane]);
+    for (int lane = 0; lane < left.count(); ++lane) left[lane] *= spectral::exp_minus(depth[lane]);
     return total(left) / left.count();
   }
 };
@@ -81,7 +82,8 @@ Spectrum BoundVolumes::transmittance(const geometry::Ray& ray, double distance,
       return Spectrum{lanes_};
     }
   }
-  for (int lane = 0; lane < lanes_; ++lane) left.ratio[lane] *= exp_minus(left.depth[lane]);
+  for (int lane = 0; lane < lanes_; ++lane)
+    left.ratio[lane] *= spectral::exp_minus(left.depth[lane]);
   return left.ratio;
 }
 

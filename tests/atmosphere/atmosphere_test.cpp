@@ -17,7 +17,7 @@ Uniform uniform(double transmittance, Kelvin air) {
 
 TEST_CASE("without air the sky is black and nothing is lost", "[atmosphere]") {
   const BoundAtmosphere air{None{}, lanes};
-  const PathTerms path = air.path(up, 1e6);
+  const PathTerms path = air.path({}, up, 1e6);
   for (int lane = 0; lane < lanes.count(); ++lane) {
     CHECK(air.sky(up)[lane] == 0.0F);
     CHECK(air.direct_transmittance(up)[lane] == 1.0F);
@@ -39,7 +39,7 @@ TEST_CASE("a path in equilibrium with what it looks at changes nothing but what 
           "[atmosphere]") {
   // Second law: air and background of one temperature look like that temperature.
   const double transmittance = GENERATE(0.0, 0.3, 0.9, 1.0);
-  const PathTerms path = BoundAtmosphere{uniform(transmittance, 290.0_K), lanes}.path(up, 1e3);
+  const PathTerms path = BoundAtmosphere{uniform(transmittance, 290.0_K), lanes}.path({}, up, 1e3);
   const auto background = spectral::planck(lanes, 290.0_K);
   for (int lane = 0; lane < lanes.count(); ++lane) {
     const double seen =

@@ -1,0 +1,180 @@
+#include "atmosphere/make/probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "atmosphere/table/bound_air_table.hpp"
+
+namespace nadir::atmosphere {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t most_lanes = 4;
+constexpr int directions = 32;
+constexpr double dark = 0.1;  // of the greatest radiance met
+constexpr double near_body = 5.0 * pi / 180.0;
+
+/// Points that fill the unit cube evenly: Roberts' additive recurrence of the plastic number's
+/// kin, x^4 = x + 1.
+struct Point {
+  double x, y, z;
+};
+Point point(int i) {
+  constexpr double g = 1.2207440846057596;
+  const auto part = [&](double step) { return std::fmod(0.5 + step * (i + 1), 1.0); };
+  return {part(1.0 / g), part(1.0 / (g * g)), part(1.0 / (g * g * g))};
+}
+
+/// A way to be looked up and summed directly.
+struct Ray {
+  ViewPath path;
+  Vec3 direction;
+  double length_m = 0.0;
+  double azimuth_rad = 0.0;
+};
+
+Ray make_ray(const Shells& shells, double height_m, const Point& p, bool whole) {
+  const double horizon = zenith_axis(shells, height_m, 3).below.front();
+  Ray ray;
+  const bool below = !whole && p.x > 0.5;
+  // As dense towards the horizon as the nodes are.
+  const double t = whole ? p.x : (p.x > 0.5 ? 2.0 * p.x - 1.0 : 2.0 * p.x);
+  const double away = std::pow(t, 1.5);
+  const double zenith = below ? horizon + (pi - horizon) * away : horizon * (1.0 - away);
+  ray.azimuth_rad = 2.0 * pi * p.y;
+  const double share = whole ? 1.0 : std::max(p.z, 1e-3);
+  ray.path = view_path(shells, height_m, zenith, below ? Side::below : Side::above, {share, 1.0});
+  ray.direction = {std::sin(zenith) * std::sin(ray.azimuth_rad),
+                   std::sin(zenith) * std::cos(ray.azimuth_rad), std::cos(zenith)};
+  for (const PathStep& step : ray.path.steps) {
+    const auto k = static_cast<std::size_t>(step.layer);
+    ray.length_m += step.slant * (shells.level_m[k] - shells.level_m[k + 1]);
+    if (step.share == 0) break;
+  }
+  return ray;
+}
+
+/// The path's radiance, summed directly.
+double direct_sum(const LaneFields& fields, const AirTable& table, const Ray& ray, double ground,
+                  bool whole) {
+  std::vector<double> azimuths;
+  for (const AirTable::Body& body : table.bodies) {
+    azimuths.push_back(ray.azimuth_rad - body.azimuth_rad);
+  }
+  const PathLight light{fields, azimuths};
+  const PathSums sums = light.along(ray.path, 2);
+  std::vector<double> background(sums.sums, 0.0);
+  const double left = std::exp(-sums.scaled_depth.back());
+  background[LaneFields::ground] = ray.path.meets_ground ? left : 0.0;
+  background[LaneFields::even] =
+      ray.path.meets_ground ? 0.0 : left * night_beyond(fields, ray.path);
+  const ShareLight part{sums, background};
+  const std::size_t at = whole ? 1 : 0;
+  double sum = part.whole(LaneFields::even, at) + ground * part.whole(LaneFields::ground, at);
+  if (whole) sum += std::exp(-sums.depth[at]) * night_beyond(fields, ray.path);
+  for (std::size_t b = 0; b < fields.beams.size(); ++b) {
+    const LaneFields::Beam& beam = fields.beams[b];
+    for (int m = 0; m < beam.modes; ++m) {
+      sum += part.whole(beam.first_component + static_cast<std::size_t>(m), at) *
+             std::cos(m * azimuths[beam.body]);
+    }
+    if (!beam.local.empty()) {
+      sum += part.whole(light.local(b, beam.body), at);
+      continue;
+    }
+    const double cosine = scattering_cosine(ray.path.zenith_rad, azimuths[beam.body], beam.place);
+    for (std::size_t k = 0; k < fields.phases.size(); ++k) {
+      sum += part.whole(light.first(b, k), at) * fields.phases[k]->at(cosine);
+    }
+  }
+  return std::max(0.0, sum);
+}
+
+bool beside_a_body(const TableFiller& filler, const AirTable& table, const Ray& ray) {
+  for (std::size_t b = 0; b < table.bodies.size(); ++b) {
+    const double cosine = scattering_cosine(
+        ray.path.zenith_rad, ray.azimuth_rad - table.bodies[b].azimuth_rad, filler.places()[b]);
+    if (cosine > std::cos(near_body)) return true;
+  }
+  return false;
+}
+
+GroundLight test_ground(const AirTable& table, const std::vector<std::size_t>& lanes) {
+  GroundLight ground;
+  for (const std::size_t lane : lanes) {
+    ground.reflectance.push_back(0.2F);
+    ground.emission.push_back(table.even_ground_irradiance[lane] / std::numbers::pi_v<float>);
+  }
+  return ground;
+}
+
+}  // namespace
+
+ErrorProbe::ErrorProbe(const TableJob& job, const TableFiller& filler)
+    : job_{job}, filler_{filler} {
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < job.lanes.size(); ++i) {
+    if (job.lanes[i].absorption.term == 0) candidates.push_back(i);
+  }
+  if (candidates.empty()) candidates.push_back(0);
+  const std::size_t count = std::min(most_lanes, candidates.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    kept_.push_back(
+        {candidates[i * (candidates.size() - 1) / std::max<std::size_t>(1, count - 1)], {}});
+  }
+}
+
+void ErrorProbe::keep(std::size_t lane, LaneFields fields) {
+  for (Kept& kept : kept_) {
+    if (kept.lane == lane) kept.fields = std::move(fields);
+  }
+}
+
+double ErrorProbe::largest_error(const AirTable& table) const {
+  std::vector<std::size_t> lanes;
+  std::vector<Micrometres> wavelengths;
+  std::vector<spectral::AbsorptionLane> absorption;
+  for (const Kept& kept : kept_) {
+    lanes.push_back(kept.lane);
+    wavelengths.emplace_back(table.lanes[kept.lane].wavelength_um);
+    absorption.push_back(table.lanes[kept.lane].absorption);
+  }
+  // Lent for the time of this call, not owned.
+  const std::shared_ptr<const AirTable> lent{std::shared_ptr<const AirTable>{}, &table};
+  const BoundAirTable bound{lent, test_ground(table, lanes),
+                            spectral::Lanes{wavelengths, absorption}};
+  const spectral::Spectrum ground = bound.ground_radiance();
+  double worst = 0.0;
+  for (const bool whole : {true, false}) {
+    if (!whole && table.views.empty()) continue;
+    const double height = whole ? table.ground_m : table.views.front().height_m;
+    std::vector<double> brightest(lanes.size(), 0.0), error(lanes.size(), 0.0);
+    std::vector<std::vector<double>> exact(lanes.size()), found(lanes.size());
+    for (int i = 0; i < directions; ++i) {
+      const Ray ray = make_ray(filler_.shells(), height, point(i), whole);
+      if (beside_a_body(filler_, table, ray) || ray.length_m <= 0.0) continue;
+      const Vec3 eye{0.0, 0.0, height - table.ground_m};
+      const spectral::Spectrum seen =
+          whole ? bound.sky(ray.direction) : bound.path(eye, ray.direction, ray.length_m).radiance;
+      for (std::size_t k = 0; k < lanes.size(); ++k) {
+        const int lane = static_cast<int>(k);
+        const double g = static_cast<double>(ground[lane]);
+        exact[k].push_back(direct_sum(kept_[k].fields, table, ray, g, whole));
+        found[k].push_back(static_cast<double>(seen[lane]));
+        brightest[k] = std::max(brightest[k], exact[k].back());
+      }
+    }
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+      for (std::size_t i = 0; i < exact[k].size(); ++i) {
+        const double scale = std::max(exact[k][i], dark * brightest[k]);
+        if (scale > 0.0) worst = std::max(worst, std::abs(found[k][i] - exact[k][i]) / scale);
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace nadir::atmosphere
