@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/error.hpp"
+#include "sim/cli/atmosphere_command.hpp"
 #include "sim/cli/ephemeris_command.hpp"
 #include "sim/cli/exit_codes.hpp"
 #include "sim/cli/materials_command.hpp"
@@ -21,6 +22,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   nadir::sim::add_run_command(app);
   nadir::sim::add_validate_command(app);
+  nadir::sim::add_atmosphere_command(app);
   nadir::sim::add_ephemeris_command(app);
   nadir::sim::add_materials_command(app);
   nadir::sim::add_schema_command(app);

@@ -94,6 +94,7 @@ std::string to_json(const RunReport& report) {
                       {"time_utc", report.scenario_time_utc}};
   json["options"] = json_of(report.options);
   json["settings"] = json_of(report.settings);
+  if (!report.air.empty()) json["air"] = json_of(report.air);
   json["inputs"] = list(report.inputs);
   json["stages"] = list(report.stages);
   json["counters"] = report.counters;

@@ -72,6 +72,7 @@ struct RunReport {
   std::string scenario_name, scenario_title, scenario_time_utc;
   ReportValues options;   ///< of the command line, those that change results
   ReportValues settings;  ///< solver, sampling, seed, threads
+  ReportValues air;       ///< how the air was computed; empty where nothing was
   std::vector<FileRecord> inputs;
   std::vector<StageTime> stages;
   std::map<std::string, std::uint64_t> counters;  ///< rays of each kind, thresholds that bit

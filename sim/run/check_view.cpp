@@ -80,7 +80,8 @@ void check_array(const World& world, const sensor::DetectorArray& array, Diagnos
       "array {} meets no surface along any line of sight that was tried; does the "
       "camera look the right way?",
       array.name);
-  const bool dark_sky = std::holds_alternative<atmosphere::None>(world.scene.atmosphere);
+  const bool dark_sky =
+      !world.air && std::holds_alternative<atmosphere::None>(world.scene.atmosphere);
   if (dark_sky && !seen.bounds && !bounds_in_view(world, array)) throw InputError{message};
   diagnostics.warn(message);
 }

@@ -1,35 +1,130 @@
 #include "sim/run/load_light.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
 #include "ephemeris/bodies.hpp"
+#include "ephemeris/lunar_reflectance.hpp"
+#include "ephemeris/rise_set.hpp"
+#include "sim/files/data_directory.hpp"
+#include "sim/files/lunar_table.hpp"
 #include "sim/run/error_list.hpp"
 #include "sim/run/read_curves.hpp"
 
 namespace nadir::sim {
 namespace {
 
+using ephemeris::SunAndMoon;
+using spectral::Curve;
 using spectral::Outside;
 
+// Astronomical twilight ends here, seen from sea level.
+constexpr Angle last_twilight = degrees(ephemeris::astronomical_twilight_deg);
+// The full moon is 2.8e-6 of the sun outside the air; the direct sun is 0.05 of that on level
+// ground at this height (sin 5 degrees, transmittance 0.5), its sky more.
+constexpr Angle moon_drowned = degrees(5.0);
+
+/// What lights the site: a body far below the horizon does not.
+struct Lit {
+  bool sun, moon;  ///< moon: if its light is to be modelled
+};
+
+bool is_dark(const std::optional<SpectralInput>& irradiance) {
+  if (!irradiance) return false;
+  const double* value = std::get_if<double>(&irradiance->source);
+  return value != nullptr && *value == 0.0;
+}
+
+Lit what_lights(const SunAndMoon& seen, double height_m, bool dark_sun) {
+  constexpr double earth_radius_m = 6'371'000.0;
+  const Angle dip{std::acos(earth_radius_m / (earth_radius_m + std::max(0.0, height_m)))};
+  const Angle lowest = last_twilight - dip;
+  return {seen.sun.elevation > lowest,
+          seen.moon.elevation > lowest && (dark_sun || seen.sun.elevation < moon_drowned)};
+}
+
+/// One computed sky on its way to light sources.
+class SkyLoader {
+ public:
+  SkyLoader(const ComputedSky& sky, const Scenario& scenario, InputFiles& files,
+            Diagnostics& diagnostics)
+      : sky_{sky},
+        time_{scenario.time},
+        seen_{ephemeris::sun_and_moon(scenario.time,
+                                      {scenario.origin.latitude_deg, scenario.origin.longitude_deg,
+                                       scenario.origin.height_m})},
+        lit_{what_lights(seen_, scenario.origin.height_m, is_dark(sky.solar_irradiance))},
+        files_{files},
+        diagnostics_{diagnostics} {}
+
+  [[nodiscard]] ephemeris::Illumination load() {
+    ephemeris::Illumination bodies{sun()};
+    if (sky_.lunar_irradiance) {
+      bodies.push_back(ephemeris::moon_light(seen_.moon, irradiance(*sky_.lunar_irradiance)));
+    } else if (lit_.moon) {
+      bodies.push_back(modelled_moon());
+    }
+    return bodies;
+  }
+
+ private:
+  [[nodiscard]] Curve irradiance(const SpectralInput& input) {
+    return curve_of(input, SpectrumQuantity::irradiance, Outside::reject, files_);
+  }
+
+  [[nodiscard]] std::filesystem::path library_file(const char* name) {
+    return files_.note(data_directory() / "library" / "illumination" / name);
+  }
+
+  [[nodiscard]] Curve library_sun() {
+    return read_curve(library_file("solar.csv"), "", SpectrumQuantity::irradiance, Outside::reject);
+  }
+
+  // A sun that does not light is dark, but the truth planes still tell where it stands.
+  [[nodiscard]] ephemeris::LightSource sun() {
+    const Curve at_1au = sky_.solar_irradiance ? irradiance(*sky_.solar_irradiance)
+                         : lit_.sun            ? library_sun()
+                                               : Curve::constant(0.0);
+    const ephemeris::Eclipse eclipse = ephemeris::solar_eclipse(seen_);
+    if (eclipse.any() && lit_.sun) {
+      diagnostics_.warn(fmt::format("a solar eclipse: the moon covers {:.1f} % of the sun's disc",
+                                    100.0 * (1.0 - eclipse.sunlight.area)));
+    }
+    return ephemeris::sun_light(seen_.sun, at_1au, eclipse);
+  }
+
+  [[nodiscard]] ephemeris::LightSource modelled_moon() {
+    const auto modelled = ephemeris::lunar_irradiance(read_lunar_model(library_file("moon.csv")),
+                                                      seen_.lunar, library_sun());
+    const auto eclipse = ephemeris::lunar_eclipse(ephemeris::earth_shadow(time_));
+    if (eclipse.any()) {
+      diagnostics_.warn(fmt::format("a lunar eclipse: the moon has {:.3g} of its light at 0.55 um",
+                                    eclipse.factor(Micrometres{0.55})));
+    }
+    // With the sun up, the moon does not matter enough to speak of its model's limits.
+    if (seen_.sun.elevation < -seen_.sun.angular_radius) {
+      for (const std::string& note : modelled.notes) diagnostics_.warn(note);
+    }
+    return ephemeris::moon_light(seen_.moon, modelled.irradiance, eclipse);
+  }
+
+  const ComputedSky& sky_;
+  ephemeris::Instant time_;
+  SunAndMoon seen_;
+  Lit lit_;
+  InputFiles& files_;
+  Diagnostics& diagnostics_;
+};
+
 ephemeris::Illumination light_from(const ComputedSky& sky, const Scenario& scenario,
-                                   InputFiles& files) {
-  const ephemeris::Site site{scenario.origin.latitude_deg, scenario.origin.longitude_deg,
-                             scenario.origin.height_m};
-  const auto positions = ephemeris::sun_and_moon(scenario.time, site);
-  const auto irradiance = [&](const SpectralInput& input) {
-    return curve_of(input, SpectrumQuantity::irradiance, Outside::reject, files);
-  };
-  // A sun without irradiance is dark, but the truth planes still tell where it stands.
-  const auto solar =
-      sky.solar_irradiance ? irradiance(*sky.solar_irradiance) : spectral::Curve::constant(0.0);
-  std::optional<spectral::Curve> lunar;
-  if (sky.lunar_irradiance) lunar = irradiance(*sky.lunar_irradiance);
-  return ephemeris::illumination(positions, solar, lunar);
+                                   InputFiles& files, Diagnostics& diagnostics) {
+  return SkyLoader{sky, scenario, files, diagnostics}.load();
 }
 
 ephemeris::Illumination light_from(const FixedSky& sky, const Scenario& /*scenario*/,
-                                   InputFiles& files) {
+                                   InputFiles& files, Diagnostics& /*diagnostics*/) {
   ephemeris::Illumination bodies;
   ErrorList errors;
   for (const FixedBody& body : sky.bodies) {
@@ -44,53 +139,17 @@ ephemeris::Illumination light_from(const FixedSky& sky, const Scenario& /*scenar
   return bodies;
 }
 
-atmosphere::Atmosphere air_from(const NoAir& /*none*/, InputFiles& /*files*/) {
-  return atmosphere::None{};
-}
-
-atmosphere::Atmosphere air_from(const UniformAir& air, InputFiles& files) {
-  const auto curve = [&](const SpectralInput& input, SpectrumQuantity quantity) {
-    return curve_of(input, quantity, Outside::reject, files);
-  };
-  return atmosphere::Uniform{
-      curve(air.sky_radiance, SpectrumQuantity::radiance),
-      Kelvin{air.sky_temperature_k},
-      curve(air.solar_transmittance, SpectrumQuantity::transmittance),
-      curve(air.transmittance, SpectrumQuantity::transmittance),
-      curve(air.path_radiance, SpectrumQuantity::radiance),
-      Kelvin{air.air_temperature_k},
-      air.overcast ? atmosphere::SkyShape::overcast : atmosphere::SkyShape::even};
-}
-
 }  // namespace
 
-void warn_of_bright_night(const Scenario& scenario, const ephemeris::Illumination& bodies,
-                          const atmosphere::Atmosphere& air, Diagnostics& diagnostics) {
-  const auto* uniform = std::get_if<atmosphere::Uniform>(&air);
-  if (uniform == nullptr || !std::holds_alternative<ComputedSky>(scenario.illumination)) return;
-  // Skies that the moon or a city brightens are below 1e-3. Twilight is more from 6 degrees below
-  // the horizon on: 2 to 3.5 lx there (AMS Glossary of Meteorology, "civil twilight") is some 0.01
-  // where the 15,000 lx of a clear day's sky are 75.
-  constexpr double brightest_night = 0.01;  // W m^-2 sr^-1 um^-1
-  const Micrometres green{0.55};
-  const auto bright = [&](const spectral::Curve& curve) {
-    return curve.covers(green, green) && curve.at(green) > brightest_night;
-  };
-  const auto& sun = bodies.front();
-  if (sun.direction_enu.z > -std::sin(sun.angular_radius.value)) return;
-  if (!bright(uniform->sky_radiance) && !bright(uniform->path_radiance)) return;
-  diagnostics.warn(
-      "the sun is below the horizon, but the uniform atmosphere's sky or path is as bright in the "
-      "visible as its figures say");
-}
-
-ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files) {
-  return std::visit([&](const auto& sky) { return light_from(sky, scenario, files); },
+ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files,
+                                          Diagnostics& diagnostics) {
+  return std::visit([&](const auto& sky) { return light_from(sky, scenario, files, diagnostics); },
                     scenario.illumination);
 }
 
-atmosphere::Atmosphere load_atmosphere(const Scenario& scenario, InputFiles& files) {
-  return std::visit([&](const auto& air) { return air_from(air, files); }, scenario.air);
+ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files) {
+  Diagnostics unheard;
+  return load_illumination(scenario, files, unheard);
 }
 
 }  // namespace nadir::sim

@@ -76,7 +76,9 @@ void PixelRenderer::render(int sample, int line, ArrayImage& image) {
 }
 
 void PixelRenderer::trace(const geometry::Ray& ray, const Sampler& numbers, TruthSums& truth) {
-  auto hit = job_->scene->geometry.intersect(ray);
+  const geometry::Scene& scene = job_->scene->geometry;
+  const RayBending* bending = options_->bending;
+  auto hit = bending != nullptr ? intersect_bent(scene, *bending, ray) : scene.intersect(ray);
   if (hit) radiometry::resolve_map(*job_->scene, *hit, numbers);
   for (std::size_t block = 0; block < solvers_.size(); ++block) {
     // Every block walks the same rays: its random numbers are the same.

@@ -1,6 +1,7 @@
 #include "sim/run/render.hpp"
 
 #include <mutex>
+#include <utility>
 
 #include "sim/run/pixel.hpp"
 #include "sim/run/tiles.hpp"
@@ -16,9 +17,8 @@ constexpr int tile_edge = 16;
 constexpr double emissive_beyond_um = 3.0;
 
 ArrayJob prepare(const radiometry::SceneDescription& scene, const sensor::Pose& pose,
-                 const sensor::DetectorArray& array, const SamplingInput& sampling,
-                 Diagnostics& diagnostics) {
-  ArrayJob job{&scene, &pose, &array, plan_array(array, sampling.wavelengths_per_band), {}};
+                 const sensor::DetectorArray& array, ArrayPlan plan, Diagnostics& diagnostics) {
+  ArrayJob job{&scene, &pose, &array, std::move(plan), {}};
   for (const spectral::Lanes& lanes : job.plan.lanes.blocks) {
     job.blocks.emplace_back(scene, lanes, diagnostics);
   }
@@ -57,11 +57,14 @@ RenderResult render(const radiometry::SceneDescription& scene, const Camera& cam
   RenderResult result;
   std::vector<ArrayJob> jobs;
   std::vector<Tile> tiles;
+  const CameraPlan plan = options.plan != nullptr
+                              ? *options.plan
+                              : plan_camera(camera.arrays, options.sampling.wavelengths_per_band);
   for (const sensor::DetectorArray& array : camera.arrays) {
     const auto cut =
         cut_into_tiles(static_cast<int>(jobs.size()), array.samples, array.lines, tile_edge);
     tiles.insert(tiles.end(), cut.begin(), cut.end());
-    jobs.push_back(prepare(scene, camera.pose, array, options.sampling, diagnostics));
+    jobs.push_back(prepare(scene, camera.pose, array, plan.arrays[jobs.size()], diagnostics));
     result.images.push_back(blank_image(array, scene, options.truth));
   }
 

@@ -7,7 +7,9 @@
 #include "radiometry/counters.hpp"
 #include "radiometry/lit_scene.hpp"
 #include "sensor/detector_array.hpp"
+#include "sim/plan/camera_plan.hpp"
 #include "sim/run/image.hpp"
+#include "sim/run/pixel_ray.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace nadir::sim {
@@ -24,6 +26,8 @@ struct RenderOptions {
   int threads = 0;    ///< 0: one per processor
   bool truth = true;  ///< fill the truth planes (costs a ray per path for the shadow plane)
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each tile
+  const CameraPlan* plan = nullptr;  ///< of the camera; null: for air that has no lanes of its own
+  const RayBending* bending = nullptr;  ///< null: the camera's rays are straight
 };
 
 struct RenderResult {

@@ -1,8 +1,10 @@
 #include "sim/run/run.hpp"
 
 #include <fstream>
+#include <optional>
 
 #include "core/error.hpp"
+#include "sim/run/air_stage.hpp"
 #include "sim/run/check_view.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/stage_clock.hpp"
@@ -97,7 +99,8 @@ std::string role_of(const std::filesystem::path& file, const Scenario& scenario)
   const std::string ending = file.extension().string();
   if (file == scenario.file) return "scenario";
   if (ending == ".xml") return "material library";
-  if (ending == ".csv") return "table";
+  if (ending == ".csv" || ending == ".txt") return "table";
+  if (ending == ".air") return "table of the air";
   for (const GeometryInput& input : scenario.geometry) {
     const auto* terrain = std::get_if<TerrainInput>(&input);
     if (terrain != nullptr && terrain->raster == file) return "terrain";
@@ -126,17 +129,26 @@ RunOutcome run_scenario(const RunOptions& options) {
   const Scenario scenario =
       clock.stage("read scenario", [&] { return read_scenario(options.scenario, diagnostics); });
   describe(scenario, options, report);
-  const World world =
+  World world =
       clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
   check_spectra(world, scenario.sampling, diagnostics);
   check_memory(world);
   check_view(world, diagnostics);
+  const CameraPlan plan =
+      clock.stage("plan", [&] { return plan_camera(world, scenario.sampling); });
   prepare_output(options.output);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
+  std::optional<RayBending> bending;
+  if (world.air) {
+    clock.stage("air", [&] {
+      report.air = finish_air(world, plan, diagnostics);
+      bending = camera_bending(world, plan, report.air);
+    });
+  }
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
                   {scenario.sampling, options.seed, options.threads, scenario.products.truth,
-                   options.progress},
+                   options.progress, &plan, bending ? &*bending : nullptr},
                   diagnostics);
   });
   report.counters = counters_of(result.counters);
@@ -163,6 +175,7 @@ Validation validate_scenario(const std::filesystem::path& file) {
   const World world = load_world(scenario, inputs, diagnostics);
   check_spectra(world, scenario.sampling, diagnostics);
   check_view(world, diagnostics);
+  if (world.air) static_cast<void>(plan_camera(world, scenario.sampling));
   Validation found;
   found.name = scenario.name;
   found.objects = scenario.geometry.size();

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
-#include "sim/plan/array_plan.hpp"
+#include "sim/run/air_stage_check.hpp"
 #include "sim/run/error_list.hpp"
+#include "sim/run/load_air.hpp"
 #include "sim/run/load_camera.hpp"
 #include "sim/run/load_geometry.hpp"
 #include "sim/run/load_lamps.hpp"
@@ -69,6 +70,7 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   std::optional<LoadedGeometry> geometry;
   ephemeris::Illumination illumination;
   atmosphere::Atmosphere air;
+  std::optional<AirTask> air_task;
   std::vector<materials::MaterialMap> maps;
   std::vector<radiometry::Volume> volumes;
   Camera camera;
@@ -81,7 +83,10 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
     if (have_materials) maps = load_maps(scenario, materials, frame, files, diagnostics);
   });
   errors.attempt([&] { illumination = load_illumination(scenario, files); });
-  errors.attempt([&] { air = load_atmosphere(scenario, files); });
+  errors.attempt([&] {
+    air = load_atmosphere(scenario, files);
+    air_task = load_air_task(scenario, files, diagnostics);
+  });
   errors.attempt([&] { geometry = load_geometry(scenario, frame, files); });
   if (geometry) {
     errors.attempt([&] { camera = load_camera(scenario, frame, geometry->terrain, files); });
@@ -95,6 +100,9 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   errors.attempt([&] {
     if (geometry) check_lamps(geometry->scene, scenario, geometry->lamps, diagnostics);
   });
+  errors.attempt([&] {
+    if (geometry && air_task) fit_air(scenario, *geometry, air, illumination, camera, *air_task);
+  });
   errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);
   World world{
@@ -102,7 +110,8 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
       {geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
        std::move(air), scenario.solver, std::move(maps), std::move(volumes),
        std::move(geometry->lamps), scenario.method, scenario.path_max_bounces},
-      std::move(camera)};
+      std::move(camera),
+      std::move(air_task)};
   check_cover(scenario, world.scene, diagnostics);
   return world;
 }
@@ -122,13 +131,32 @@ void check_memory(const World& world) {
                                needed * 1e-9, there * 1e-9)};
 }
 
+CameraPlan plan_camera(const World& world, const SamplingInput& sampling) {
+  const std::vector<sensor::DetectorArray>& arrays = world.camera.arrays;
+  const int wavelengths = sampling.wavelengths_per_band;
+  if (!world.air) return plan_camera(arrays, wavelengths);
+  return at_element(world.air->where, [&] {
+    if (const auto& layered = world.air->layered) {
+      return plan_camera(arrays, wavelengths, layered->air, layered->settings);
+    }
+    const auto& table = *std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
+    return plan_camera(arrays, wavelengths, table);
+  });
+}
+
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics) {
+  // Air in layers is still to come (None) and knows all wavelengths: its lanes need not be split.
+  const bool is_layered = world.air && world.air->layered;
+  const CameraPlan plan = is_layered
+                              ? plan_camera(world.camera.arrays, sampling.wavelengths_per_band)
+                              : plan_camera(world, sampling);
   ErrorList errors;
-  for (const sensor::DetectorArray& array : world.camera.arrays) {
-    for (const auto& lanes : plan_array(array, sampling.wavelengths_per_band).lanes.blocks) {
-      errors.attempt("array " + array.name, world.file.string(), [&] {
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+    for (const auto& lanes : plan.arrays[i].lanes.blocks) {
+      errors.attempt("array " + world.camera.arrays[i].name, world.file.string(), [&] {
         const radiometry::LitScene lit{world.scene, lanes, diagnostics};
       });
+      if (world.air) errors.attempt([&] { check_air_spectra(*world.air, lanes); });
     }
   }
   errors.throw_if_any();

@@ -1,27 +1,36 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/diagnostics.hpp"
 #include "radiometry/lit_scene.hpp"
+#include "sim/plan/camera_plan.hpp"
 #include "sim/run/input_files.hpp"
+#include "sim/run/load_air.hpp"
 #include "sim/run/render.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace nadir::sim {
 
-/// A scenario with everything that it names read and built, ready to be rendered.
+/// A scenario with everything that it names read and built, ready to be rendered once its air is
+/// finished (air_stage).
 struct World {
   std::filesystem::path file;  ///< of the scenario, for messages
   radiometry::SceneDescription scene;
   Camera camera;
+  std::optional<AirTask> air{};  ///< what is still to be done for the scene's air
 };
 
 /// @throws InputError with the mistakes of all files that the scenario names
 [[nodiscard]] World load_world(const Scenario& scenario, InputFiles& files,
                                Diagnostics& diagnostics);
 
-/// Checks that every spectrum serves the camera's bands, as a run would.
+/// The lanes that the camera's arrays need in this world's air.
+/// @throws InputError where the air's figures do not reach a band
+[[nodiscard]] CameraPlan plan_camera(const World& world, const SamplingInput& sampling);
+
+/// Checks that every spectrum serves the camera's bands, as a run would. The air is not computed.
 /// @throws InputError
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics);
 

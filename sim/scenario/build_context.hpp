@@ -76,7 +76,7 @@ class MaterialNames {
 void build_time(const BuildContext& context, const CheckedElement& root, Scenario& scenario);
 [[nodiscard]] IlluminationInput build_illumination(const BuildContext& context,
                                                    const CheckedElement& element);
-[[nodiscard]] AirInput build_air(const CheckedElement& element);
+[[nodiscard]] AirInput build_air(const BuildContext& context, const CheckedElement& element);
 /// @param base  what holds for settings that the element does not give
 [[nodiscard]] materials::SolverSettings build_solver(const CheckedElement& element,
                                                      const materials::SolverSettings& base);

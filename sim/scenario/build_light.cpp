@@ -38,18 +38,6 @@ IlluminationInput build_illumination(const BuildContext& context, const CheckedE
   return sky;
 }
 
-AirInput build_air(const CheckedElement& element) {
-  const CheckedElement* uniform = element.child("uniform");
-  if (uniform == nullptr) return NoAir{};
-  return UniformAir{uniform->value<SpectralInput>("sky_radiance"),
-                    uniform->number("sky_temperature_k"),
-                    uniform->value<SpectralInput>("solar_transmittance"),
-                    uniform->value<SpectralInput>("transmittance"),
-                    uniform->value<SpectralInput>("path_radiance"),
-                    uniform->number("air_temperature_k"),
-                    uniform->value<std::string>("sky_shape") == "overcast"};
-}
-
 materials::SolverSettings build_solver(const CheckedElement& element,
                                        const materials::SolverSettings& base) {
   const auto whole = [&](const char* name, int otherwise) {

@@ -141,6 +141,7 @@ void build_platform(const BuildContext& context, const CheckedElement& element,
   const bool has_terrain = std::any_of(
       scenario.geometry.begin(), scenario.geometry.end(),
       [](const GeometryInput& part) { return std::holds_alternative<TerrainInput>(part); });
+  scenario.platform.where = context.source.locate(element.offset);
   const CheckedElement* position = element.child("position");
   if (position != nullptr) {
     if (const auto place = build_place(context, *position, has_terrain)) {

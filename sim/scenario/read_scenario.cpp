@@ -13,7 +13,7 @@ void build_parts(const BuildContext& context, const CheckedElement& root, Scenar
   if (const auto* light = root.child("illumination")) {
     scenario.illumination = build_illumination(context, *light);
   }
-  if (const auto* air = root.child("atmosphere")) scenario.air = build_air(*air);
+  if (const auto* air = root.child("atmosphere")) scenario.air = build_air(context, *air);
   if (const auto* solver = root.child("solver")) {
     scenario.solver = build_solver(*solver, scenario.solver);
     const bool path = solver->value<std::string>("method") == "path";

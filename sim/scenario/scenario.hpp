@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/quantity.hpp"
 #include "core/vec.hpp"
 #include "ephemeris/instant.hpp"
@@ -13,6 +14,7 @@
 #include "geometry/shapes.hpp"
 #include "materials/solver_settings.hpp"
 #include "radiometry/method.hpp"
+#include "sim/scenario/air_input.hpp"
 #include "sim/scenario/lamp_input.hpp"
 #include "sim/scenario/material_input.hpp"
 #include "sim/scenario/placement_input.hpp"
@@ -28,8 +30,8 @@ namespace nadir::sim {
 
 /// Sun and moon where an ephemeris puts them for the scenario's instant and site.
 struct ComputedSky {
-  std::optional<SpectralInput> solar_irradiance;  ///< W m^-2 um^-1 at 1 AU; none: the sun is dark
-  std::optional<SpectralInput> lunar_irradiance;  ///< W m^-2 um^-1 as it arrives; none: dark
+  std::optional<SpectralInput> solar_irradiance;  ///< W m^-2 um^-1 at 1 AU; none: the library's
+  std::optional<SpectralInput> lunar_irradiance;  ///< W m^-2 um^-1 as it arrives; none: modelled
 };
 /// A body at given angles.
 struct FixedBody {
@@ -43,21 +45,6 @@ struct FixedSky {
   std::vector<FixedBody> bodies;
 };
 using IlluminationInput = std::variant<ComputedSky, FixedSky>;
-
-// ---- air --------------------------------------------------------------------------------------
-
-struct NoAir {};
-/// The same air everywhere. See docs/atmosphere.md.
-struct UniformAir {
-  SpectralInput sky_radiance{0.0, {}};         ///< W m^-2 sr^-1 um^-1, added to the sky's emission
-  double sky_temperature_k = 0.0;              ///< black sky at this temperature; 0: none
-  SpectralInput solar_transmittance{1.0, {}};  ///< from sun or moon to the ground
-  SpectralInput transmittance{1.0, {}};        ///< from the surface to the sensor
-  SpectralInput path_radiance{0.0, {}};        ///< scattered into that path, W m^-2 sr^-1 um^-1
-  double air_temperature_k = 0.0;              ///< of the path's own emission; 0: none
-  bool overcast = false;                       ///< the sky follows the standard overcast sky
-};
-using AirInput = std::variant<NoAir, UniformAir>;
 
 // ---- materials and geometry -------------------------------------------------------------------
 
@@ -115,6 +102,7 @@ struct PlatformInput {
   std::variant<geometry::Geodetic, Vec3> position;  ///< geodetic, or local east, north, up in m
   bool on_terrain = false;                          ///< local up counts from the terrain
   std::variant<LookAt, Euler> attitude;
+  SourceLocation where{};
 };
 
 struct BoxBand {

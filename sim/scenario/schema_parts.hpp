@@ -39,6 +39,8 @@ inline NumberType full_turn() { return from_to(-360.0, 360.0); }
 
 [[nodiscard]] std::vector<ElementType> schema_of_root();
 [[nodiscard]] std::vector<ElementType> schema_of_light();
+[[nodiscard]] std::vector<ElementType> schema_of_air();
+[[nodiscard]] std::vector<ElementType> schema_of_solver();
 [[nodiscard]] std::vector<ElementType> schema_of_materials();
 [[nodiscard]] std::vector<ElementType> schema_of_scattering();
 [[nodiscard]] std::vector<ElementType> schema_of_maps();

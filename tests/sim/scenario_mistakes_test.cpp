@@ -25,7 +25,7 @@ ten_mistakes.xml:5:28: error: file "solr.csv" does not exist (looked at solr.csv
     5 |   <illumination><ephemeris solar_irradiance="solr.csv"/></illumination>
       |                            ^
     hint: that folder holds "solar.csv"
-ten_mistakes.xml:6:22: error: <atmosphere> holds only one <none> or <uniform>; <none> stands in line 6 already
+ten_mistakes.xml:6:22: error: <atmosphere> holds only one <none> or <uniform> or <layered> or <table>; <none> stands in line 6 already
     6 |   <atmosphere><none/><uniform/></atmosphere>
       |                      ^
 ten_mistakes.xml:8:27: error: attribute "reflectance" of <material>: "1.5", expected a number from 0 to 1, or a spectrum file *.csv or *.csv#column
@@ -80,7 +80,7 @@ TEST_CASE("the form of elements is checked", "[scenario][mistakes]") {
        "above the WGS84 ellipsoid, and where sun and moon are seen from.)\n"},
       {"<time ", "<time utc=\"2026-06-21T16:00:00Z\"/><time ",
        "4:37: <scenario> holds only one <time>; <time> stands in line 4 already\n"},
-      {"<none/>", "", "7:3: <atmosphere> needs <none> or <uniform>\n"},
+      {"<none/>", "", "7:3: <atmosphere> needs <none> or <uniform> or <layered> or <table>\n"},
       {"<band_box name=\"thermal\" lo_um=\"8\" hi_um=\"12\"/>", "",
        "20:7: <array> needs <band> or <band_box> or <band_gaussian>\n"},
       {"<none/>", "<none>thin</none>",

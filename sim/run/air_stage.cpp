@@ -1,0 +1,131 @@
+#include "sim/run/air_stage.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "atmosphere/make/lane_fields.hpp"
+#include "sim/files/hash.hpp"
+
+namespace nadir::sim {
+namespace {
+
+using atmosphere::AirTable;
+
+std::int64_t whole(std::size_t count) { return static_cast<std::int64_t>(count); }
+
+/// One digest for several files.
+std::string digest_of(const std::vector<std::filesystem::path>& files) {
+  std::string all;
+  for (const auto& file : files) all += digest_file(file).sha256;
+  return digest_bytes(all).sha256;
+}
+
+std::string joined(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
+  return text;
+}
+
+/// The wavelengths at which the ground is asked for. A table from elsewhere may reach far beyond
+/// the camera's bands, where no spectrum need be known: there it is as at the bands' edge.
+std::vector<Micrometres> ground_wavelengths(const AirTable& table, const CameraPlan& plan) {
+  Micrometres lo{1e300}, hi{0.0};
+  for (const ArrayPlan& array : plan.arrays) {
+    for (const auto& quadrature : array.quadratures) {
+      lo = std::min(lo, quadrature.wavelengths.front());
+      hi = std::max(hi, quadrature.wavelengths.back());
+    }
+  }
+  std::vector<Micrometres> wavelengths;
+  for (const AirTable::Lane& lane : table.lanes) {
+    wavelengths.push_back(std::clamp(Micrometres{lane.wavelength_um}, lo, hi));
+  }
+  return wavelengths;
+}
+
+void describe_table(const AirTable& table, ReportValues& values) {
+  values.emplace_back("lanes", whole(table.lanes.size()));
+  values.emplace_back("bodies", whole(table.bodies.size()));
+  values.emplace_back("interpolation_error", table.interpolation_error);
+  values.emplace_back("made_by", table.made_by);
+  values.emplace_back("notes", joined(table.notes));
+}
+
+/// Computes the table of air in layers, or finds it in the cache.
+AirTable solve(const LayeredTask& task, const World& world, const CameraPlan& plan,
+               const AirCacheOptions& cache, ReportValues& values, Diagnostics& diagnostics) {
+  const ephemeris::Illumination& bodies = world.scene.illumination;
+  const std::string key =
+      air_key(task.air, task.settings, plan.air, bodies, digest_of(task.figures));
+  atmosphere::SolveCounts counts;  // stay 0 where the cache has the table
+  const auto make = [&] {
+    return atmosphere::make_air_table(task.air, task.settings, plan.air.lanes, plan.air.wavelengths,
+                                      bodies, &counts);
+  };
+  CacheOutcome outcome;
+  AirTable table = cached_air_table(key, make, diagnostics, outcome, cache);
+  const bool fast = task.settings.mode == atmosphere::AirMode::fast;
+  values = {{"model", std::string{"layered"}},
+            {"profile", task.air.profile.name},
+            {"mode", std::string{fast ? "fast" : "accurate"}},
+            {"streams", static_cast<std::int64_t>(fast ? 2 : task.settings.streams)},
+            {"observer_height_m", task.settings.observer_height_m},
+            {"ground_height_m", task.air.ground_height_m},
+            {"wavelengths", whole(plan.air.wavelengths.size())},
+            {"beam_solves", static_cast<std::int64_t>(counts.beam_solves)},
+            {"thermal_solves", static_cast<std::int64_t>(counts.thermal_solves)},
+            {"from_cache", outcome.hit},
+            {"cache_file", outcome.file.string()}};
+  return table;
+}
+
+Micrometres mean_wavelength(const AirLanes& air) {
+  double sum = 0.0;
+  for (const Micrometres wavelength : air.wavelengths) sum += wavelength.value;
+  return Micrometres{sum / static_cast<double>(air.wavelengths.size())};
+}
+
+}  // namespace
+
+std::optional<RayBending> camera_bending(const World& world, const CameraPlan& plan,
+                                         ReportValues& report) {
+  if (!world.air || !world.air->layered || !world.air->layered->refraction) return std::nullopt;
+  constexpr double noticeable_pixels = 0.1;
+  const atmosphere::Layered& air = world.air->layered->air;
+  RayBending bending{atmosphere::Refractivity{air.profile, mean_wavelength(plan.air)},
+                     air.ground_height_m};
+  double worst = 0.0;
+  for (const sensor::DetectorArray& array : world.camera.arrays) {
+    worst =
+        std::max(worst, bending_in_pixels(world.scene.geometry, bending, array, world.camera.pose));
+  }
+  report.emplace_back("refraction_shift_pixels", worst);
+  report.emplace_back("rays_bend", worst >= noticeable_pixels);
+  if (worst < noticeable_pixels) return std::nullopt;
+  return bending;
+}
+
+ReportValues finish_air(World& world, const CameraPlan& plan, Diagnostics& diagnostics,
+                        const AirCacheOptions& cache) {
+  if (!world.air) return {};
+  return at_element(world.air->where, [&] {
+    const AirTask& task = *world.air;
+    ReportValues values{{"model", std::string{"table"}}};
+    std::shared_ptr<const AirTable> table;
+    if (task.layered) {
+      table = std::make_shared<const AirTable>(
+          solve(*task.layered, world, plan, cache, values, diagnostics));
+    } else {
+      table = std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
+    }
+    describe_table(*table, values);
+    auto ground =
+        ground_light(world.scene, task.ground, ground_wavelengths(*table, plan), diagnostics);
+    world.scene.atmosphere = atmosphere::Tabulated{std::move(table), std::move(ground)};
+    return values;
+  });
+}
+
+}  // namespace nadir::sim

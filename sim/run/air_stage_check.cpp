@@ -1,0 +1,145 @@
+#include "sim/run/air_stage_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "atmosphere/paths/spherical_path.hpp"
+#include "spectral/coverage.hpp"
+
+namespace nadir::sim {
+namespace {
+
+using atmosphere::AirTable;
+
+// A table's light is that of its ground's height and its sun: 100 m of height are 1 % of the air,
+// half a degree of a sun at 30 degrees changes its light on level ground by 1.5 %.
+constexpr double same_height_m = 100.0;
+constexpr double same_direction_deg = 0.5;
+
+[[noreturn]] void refuse(const SourceLocation& where, std::string message) {
+  throw InputError{InputIssue{where, std::move(message), {}, {}}};
+}
+
+void require_cover(const spectral::Curve& curve, const spectral::Lanes& lanes,
+                   const std::string& what) {
+  static_cast<void>(spectral::at_all(curve, lanes, what));
+}
+
+/// A camera under a surface that it sees from below, with nothing under it.
+bool under_ground(const geometry::Scene& scene, Vec3 eye) {
+  const auto above = scene.intersect({eye, {0.0, 0.0, 1.0}});
+  return above && above->back_face && !scene.intersect({eye, {0.0, 0.0, -1.0}});
+}
+
+void check_camera(const Scenario& scenario, const geometry::Scene& scene, const Camera& camera,
+                  double ground_m) {
+  const Vec3 eye = camera.pose.position;
+  const double height_m = height_above_sea_m(eye, ground_m);
+  if (height_m < ground_m) {
+    refuse(
+        scenario.platform.where,
+        fmt::format("the camera lies {:.1f} m below the height of the site, which is that of the "
+                    "ground under the air",
+                    ground_m - height_m));
+  }
+  if (under_ground(scene, eye)) {
+    refuse(scenario.platform.where, "the camera lies inside the ground");
+  }
+}
+
+Vec3 direction_of(const AirTable::Body& body) {
+  const double level = std::sin(body.zenith_rad);
+  return {level * std::sin(body.azimuth_rad), level * std::cos(body.azimuth_rad),
+          std::cos(body.zenith_rad)};
+}
+
+std::string place_text(Vec3 towards) {
+  double azimuth = to_degrees(Angle{std::atan2(towards.x, towards.y)});
+  if (azimuth < 0.0) azimuth += 360.0;
+  return fmt::format("elevation {:.2f}, azimuth {:.2f} deg",
+                     to_degrees(Angle{std::asin(std::clamp(towards.z, -1.0, 1.0))}), azimuth);
+}
+
+/// Every body that lights the scene must be one that the table was made for.
+void check_bodies(const AirTable& table, const ephemeris::Illumination& bodies,
+                  const SourceLocation& where) {
+  for (const ephemeris::LightSource& body : bodies) {
+    const bool dark = !(body.irradiance.max_value() > 0.0);
+    if (dark || body.direction_enu.z <= -std::sin(body.angular_radius.value)) continue;
+    double nearest = -1.0;
+    Vec3 found;
+    for (const AirTable::Body& known : table.bodies) {
+      const double cosine = dot(direction_of(known), body.direction_enu);
+      if (cosine <= nearest) continue;
+      nearest = cosine;
+      found = direction_of(known);
+    }
+    if (nearest >= std::cos(degrees(same_direction_deg).value)) continue;
+    refuse(where, fmt::format("the table of the air does not cover the {}'s place in the sky, {}: "
+                              "{}",
+                              body.name, place_text(body.direction_enu),
+                              table.bodies.empty() ? std::string{"it holds no body's light"}
+                                                   : "it was made for " + place_text(found)));
+  }
+}
+
+void check_place(const AirTable& table, double site_height_m, const SourceLocation& where) {
+  if (std::abs(table.ground_m - site_height_m) <= same_height_m) return;
+  refuse(where, fmt::format("the table of the air was made for ground {:.0f} m above the sea, the "
+                            "site lies at {:.0f} m",
+                            table.ground_m, site_height_m));
+}
+
+/// A body moved to where it is seen through the air.
+void lift(ephemeris::LightSource& body, const ephemeris::AirAtSite& air) {
+  const Vec3 towards = body.direction_enu;
+  const Angle elevation{std::asin(std::clamp(towards.z, -1.0, 1.0))};
+  const Angle seen{elevation.value + ephemeris::refraction(elevation, air).value};
+  const double level = std::hypot(towards.x, towards.y);
+  if (level == 0.0) return;
+  const double scale = std::cos(seen.value) / level;
+  body.direction_enu = {towards.x * scale, towards.y * scale, std::sin(seen.value)};
+}
+
+}  // namespace
+
+double height_above_sea_m(Vec3 place, double ground_m) noexcept {
+  const double radius = atmosphere::earth_radius_m + ground_m;
+  // hypot(x, y, radius + z) - radius, without losing the small difference of large numbers.
+  const double level = place.x * place.x + place.y * place.y;
+  const double centre = std::hypot(place.x, place.y, radius + place.z);
+  return ground_m + (level + place.z * (2.0 * radius + place.z)) / (centre + radius);
+}
+
+void fit_air(const Scenario& scenario, const LoadedGeometry& geometry,
+             const atmosphere::Atmosphere& air, ephemeris::Illumination& bodies,
+             const Camera& camera, AirTask& task) {
+  const bool computed = std::holds_alternative<ComputedSky>(scenario.illumination);
+  if (!task.layered) {
+    const auto& table = *std::get<atmosphere::Tabulated>(air).table;
+    check_place(table, scenario.origin.height_m, task.where);
+    check_bodies(table, bodies, task.where);
+    check_camera(scenario, geometry.scene, camera, table.ground_m);
+    return;
+  }
+  LayeredTask& layered = *task.layered;
+  const double ground_m = layered.air.ground_height_m;
+  check_camera(scenario, geometry.scene, camera, ground_m);
+  layered.settings.observer_height_m = height_above_sea_m(camera.pose.position, ground_m);
+  if (!layered.refraction || !computed) return;
+  const ephemeris::AirAtSite at_site = air_at_site(layered.air);
+  for (ephemeris::LightSource& body : bodies) lift(body, at_site);
+}
+
+void check_air_spectra(const AirTask& task, const spectral::Lanes& lanes) {
+  at_element(task.where, [&] {
+    if (task.ground.reflectance) {
+      require_cover(*task.ground.reflectance, lanes, "the reflectance of the ground about");
+    }
+  });
+}
+
+}  // namespace nadir::sim
