@@ -34,7 +34,7 @@ struct AirSettings {
   double term_tolerance = 5e-4;  ///< of transmittance, see GasAbsorption::terms
   int zenith_nodes = 12;         ///< on either side of the horizon
   int azimuth_nodes = 13;
-  int share_nodes = 10;
+  int share_nodes = 12;
   double observer_height_m = 0.0;  ///< above sea level
   bool paths = true;               ///< a view from the observer; without: the sky only
   double dark_below = 1e-6;        ///< bodies this much weaker than the strongest are left out

@@ -16,7 +16,13 @@ float not_negative(double value) noexcept { return static_cast<float>(std::max(0
 class Writer {
  public:
   Writer(const LaneFields& fields, const ViewShape& shape, LaneView& view)
-      : fields_{fields}, shape_{shape}, view_{view}, light_{fields, shape.azimuth_rad} {}
+      : fields_{fields}, shape_{shape}, view_{view}, light_{fields, shape.azimuth_rad} {
+    for (const double azimuth : shape.azimuth_rad) {
+      for (std::size_t m = 0; m < cosine_modes; ++m) {
+        cosines_.push_back(std::cos(static_cast<double>(m) * azimuth));
+      }
+    }
+  }
 
   void write(std::size_t zenith) {
     const ViewPath& path = shape_.paths[zenith];
@@ -27,6 +33,7 @@ class Writer {
     background[LaneFields::ground] = path.meets_ground ? left : 0.0;
     background[LaneFields::even] = left * night_;
     const ShareLight light{sums, background};
+    set_phases(path);
     for (std::size_t s = 0; s < shape_.share.size(); ++s) {
       write_share(path, sums, light, {zenith * shape_.share.size() + s, s});
     }
@@ -69,7 +76,7 @@ class Writer {
     }
     view_.even[at.index] = not_negative(even + urban(path, at.share, depth));
     view_.ground[at.index] = not_negative(value(light, LaneFields::ground, at.share));
-    for (std::size_t b = 0; b < fields_.beams.size(); ++b) write_beam(path, light, b, at);
+    for (std::size_t b = 0; b < fields_.beams.size(); ++b) write_beam(light, b, at);
   }
 
   /// A town's glow as if its source were even along the way: of the right sum from the ground up.
@@ -87,23 +94,26 @@ class Writer {
     return sum;
   }
 
-  void write_beam(const ViewPath& path, const ShareLight& light, std::size_t b, Place at) {
+  void write_beam(const ShareLight& light, std::size_t b, Place at) {
     const LaneFields::Beam& beam = fields_.beams[b];
     const std::size_t places = shape_.places(), kinds = fields_.scattering.size();
-    std::vector<double> first(kinds);
+    first_.resize(kinds);
     for (std::size_t k = 0; k < kinds; ++k) {
-      first[k] = std::max(0.0, value(light, light_.first(b, k), at.share));
-      view_.first[(beam.body * kinds + k) * places + at.index] = static_cast<float>(first[k]);
+      first_[k] = std::max(0.0, value(light, light_.first(b, k), at.share));
+      view_.first[(beam.body * kinds + k) * places + at.index] = static_cast<float>(first_[k]);
+    }
+    modes_.resize(static_cast<std::size_t>(beam.modes));
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+      modes_[m] = value(light, beam.first_component + m, at.share);
     }
     for (std::size_t a = 0; a < shape_.azimuth_rad.size(); ++a) {
       double smooth = 0.0;
-      for (int m = 0; m < beam.modes; ++m) {
-        smooth += value(light, beam.first_component + static_cast<std::size_t>(m), at.share) *
-                  std::cos(m * shape_.azimuth_rad[a]);
+      for (std::size_t m = 0; m < modes_.size(); ++m) {
+        smooth += modes_[m] * cosines_[a * cosine_modes + m];
       }
+      const double* phase = phase_.data() + (b * shape_.azimuth_rad.size() + a) * kinds;
       double once = 0.0;
-      const double cosine = scattering_cosine(path.zenith_rad, shape_.azimuth_rad[a], beam.place);
-      for (std::size_t k = 0; k < kinds; ++k) once += first[k] * fields_.phases[k]->at(cosine);
+      for (std::size_t k = 0; k < kinds; ++k) once += first_[k] * phase[k];
       if (!beam.local.empty()) smooth += value(light, light_.local(b, a), at.share) - once;
       // Delta scaling may leave ripples below zero; not in the sum that is seen.
       smooth = std::max(smooth, -once);
@@ -112,11 +122,26 @@ class Writer {
     }
   }
 
+  /// Phase functions towards every body, by azimuth of the path.
+  void set_phases(const ViewPath& path) {
+    phase_.clear();
+    for (const LaneFields::Beam& beam : fields_.beams) {
+      for (const double azimuth : shape_.azimuth_rad) {
+        const double cosine = scattering_cosine(path.zenith_rad, azimuth, beam.place);
+        for (const auto& phase : fields_.phases) phase_.push_back(phase->at(cosine));
+      }
+    }
+  }
+
+  static constexpr std::size_t cosine_modes = 128;  // as many as streams can make
   const LaneFields& fields_;
   const ViewShape& shape_;
   LaneView& view_;
   PathLight light_;
   double night_ = 0.0;
+  std::vector<double> cosines_;        // [azimuth][mode]
+  std::vector<double> phase_;          // [beam][azimuth][kind], of the path being written
+  std::vector<double> first_, modes_;  // of the beam and share being written
 };
 
 std::vector<double> azimuth_axis(int nodes) {

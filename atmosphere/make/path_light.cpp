@@ -162,20 +162,26 @@ PathSums PathLight::along(const ViewPath& path, std::size_t shares) const {
   return sums;
 }
 
+ShareLight::ShareLight(const PathSums& sums, const std::vector<double>& background)
+    : sums_{sums}, background_{background} {
+  for (std::size_t s = 0; s < sums.depth.size(); ++s) {
+    const double peak = sums.depth[s] - sums.scaled_depth[s];
+    factors_.push_back({-std::expm1(-peak), std::exp(-peak), -std::expm1(-sums.depth[s])});
+  }
+}
+
 double ShareLight::all(std::size_t sum) const noexcept {
   return sums_.light[sums_.light.size() - sums_.sums + sum] + background_[sum];
 }
 
 double ShareLight::whole(std::size_t sum, std::size_t share) const noexcept {
-  const double peak = sums_.depth[share] - sums_.scaled_depth[share];
-  const double here = sums_.light[share * sums_.sums + sum];
-  return -std::expm1(-peak) * all(sum) + std::exp(-peak) * here;
+  const Factors& f = factors_[share];
+  return f.peak_lost * all(sum) + f.peak_left * sums_.light[share * sums_.sums + sum];
 }
 
 double ShareLight::source(std::size_t sum, std::size_t share) const noexcept {
-  const double depth = sums_.depth[share];
   // Below this the path adds nothing that a float could tell from its limit.
-  if (depth > 1e-12) return whole(sum, share) / -std::expm1(-depth);
+  if (sums_.depth[share] > 1e-12) return whole(sum, share) / factors_[share].lost;
   if (sums_.first_depth > 0.0) {
     return (sums_.rate[sum] + (sums_.first_depth - sums_.first_scaled) * all(sum)) /
            sums_.first_depth;

@@ -63,8 +63,7 @@ class PathLight {
 class ShareLight {
  public:
   /// @param background  sum by sum, what enters at the path's far end, through all of it
-  ShareLight(const PathSums& sums, const std::vector<double>& background)
-      : sums_{sums}, background_{background} {}
+  ShareLight(const PathSums& sums, const std::vector<double>& background);
 
   /// L of a sum over the path to a share.
   [[nodiscard]] double whole(std::size_t sum, std::size_t share) const noexcept;
@@ -73,8 +72,12 @@ class ShareLight {
 
  private:
   [[nodiscard]] double all(std::size_t sum) const noexcept;
+  struct Factors {
+    double peak_lost, peak_left, lost;  // 1 - r, r, 1 - T
+  };
   const PathSums& sums_;
   const std::vector<double>& background_;
+  std::vector<Factors> factors_;  // by share
 };
 
 }  // namespace nadir::atmosphere

@@ -102,12 +102,9 @@ bool beside_a_body(const TableFiller& filler, const AirTable& table, const Ray& 
   return false;
 }
 
-GroundLight test_ground(const AirTable& table, const std::vector<std::size_t>& lanes) {
-  GroundLight ground;
-  for (const std::size_t lane : lanes) {
-    ground.reflectance.push_back(0.2F);
-    ground.emission.push_back(table.even_ground_irradiance[lane] / std::numbers::pi_v<float>);
-  }
+GroundLight test_ground(const AirTable& table) {
+  GroundLight ground{std::vector<float>(table.lanes.size(), 0.2F), table.even_ground_irradiance};
+  for (float& emission : ground.emission) emission /= std::numbers::pi_v<float>;
   return ground;
 }
 
@@ -144,7 +141,7 @@ double ErrorProbe::largest_error(const AirTable& table) const {
   }
   // Lent for the time of this call, not owned.
   const std::shared_ptr<const AirTable> lent{std::shared_ptr<const AirTable>{}, &table};
-  const BoundAirTable bound{lent, test_ground(table, lanes),
+  const BoundAirTable bound{lent, test_ground(table),
                             spectral::Lanes{wavelengths, absorption}};
   const spectral::Spectrum ground = bound.ground_radiance();
   double worst = 0.0;

@@ -37,7 +37,8 @@ void check_values(const std::string& part, const std::vector<float>& values, std
     else if (v < allowed.least)
       wrong = "expected no negative values, found ";
     else if (v > allowed.most)
-      wrong = allowed.most < 1.0F ? "expected values below 1, found " : "expected at most 1, found ";
+      wrong =
+          allowed.most < 1.0F ? "expected values below 1, found " : "expected at most 1, found ";
     if (wrong != nullptr) {
       refuse(part, wrong + number_text(static_cast<double>(v)) + " at " + std::to_string(i));
     }

@@ -89,8 +89,8 @@ struct AirTable {
 
 /// The ground about the scene, which lights the air from below.
 struct GroundLight {
-  std::vector<float> reflectance;  ///< by lane
-  std::vector<float> emission;     ///< radiance, by lane, W m^-2 sr^-1 um^-1
+  std::vector<float> reflectance;  ///< by lane of the table
+  std::vector<float> emission;     ///< radiance, by lane of the table, W m^-2 sr^-1 um^-1
 };
 
 /// Sizes agree, axes ascend, the horizon is where it belongs, values are finite, none negative that

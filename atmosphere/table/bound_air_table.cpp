@@ -86,9 +86,12 @@ bool glows(const AirTable& table, std::size_t body) {
 /// G = (rho E_down / pi + emission) / (1 - rho S)
 std::vector<float> ground_light(const AirTable& table, const GroundLight& ground,
                                 const AirFrame& frame) {
-  const std::size_t lanes = frame.matches.size();
-  if (ground.reflectance.size() != lanes || ground.emission.size() != lanes) {
-    throw InputError{"expected the ground's reflectance and emission at every wavelength"};
+  const std::size_t there = table.lanes.size(), lanes = frame.matches.size();
+  if (ground.reflectance.size() != there || ground.emission.size() != there) {
+    throw InputError{"expected the ground's reflectance and emission at each of the table's " +
+                     std::to_string(there) + " lanes, found " +
+                     std::to_string(ground.reflectance.size()) + " and " +
+                     std::to_string(ground.emission.size())};
   }
   std::vector<float> light(frame.padded(), 0.0F);
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -97,8 +100,8 @@ std::vector<float> ground_light(const AirTable& table, const GroundLight& ground
     for (const AirTable::Body& body : table.bodies) {
       down += match.of(body.ground_irradiance.data());
     }
-    const float rho = ground.reflectance[i];
-    light[i] = (rho * down / std::numbers::pi_v<float> + ground.emission[i]) /
+    const float rho = match.of(ground.reflectance.data());
+    light[i] = (rho * down / std::numbers::pi_v<float> + match.of(ground.emission.data())) /
                (1.0F - rho * match.of(table.spherical_albedo.data()));
   }
   return light;

@@ -43,8 +43,7 @@ CameraNodes nodes_of(const std::vector<sensor::DetectorArray>& arrays, const Cam
   return nodes;
 }
 
-AirLanes air_lanes(const CameraNodes& of_arrays, const atmosphere::Layered& air,
-                   const atmosphere::AirSettings& settings) {
+AirLanes distinct(const CameraNodes& of_arrays) {
   std::vector<Node> nodes;
   for (const auto& bands : of_arrays) {
     for (const auto& band : bands) nodes.insert(nodes.end(), band.begin(), band.end());
@@ -56,6 +55,12 @@ AirLanes air_lanes(const CameraNodes& of_arrays, const atmosphere::Layered& air,
     found.wavelengths.push_back(wavelength);
     found.intervals.push_back(interval);
   }
+  return found;
+}
+
+AirLanes air_lanes(const CameraNodes& of_arrays, const atmosphere::Layered& air,
+                   const atmosphere::AirSettings& settings) {
+  AirLanes found = distinct(of_arrays);
   found.lanes = atmosphere::split_lanes(air, settings, found.wavelengths, found.intervals);
   std::sort(found.lanes.begin(), found.lanes.end(), [](const auto& a, const auto& b) {
     return std::pair{a.source, a.absorption} < std::pair{b.source, b.absorption};
@@ -125,6 +130,10 @@ CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wav
     plan.arrays.push_back(plan_array(array, wavelengths_per_band));
   }
   return plan;
+}
+
+AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band) {
+  return distinct(nodes_of(arrays, plan_camera(arrays, wavelengths_per_band)));
 }
 
 CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band,

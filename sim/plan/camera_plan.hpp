@@ -22,6 +22,10 @@ struct CameraPlan {
   AirLanes air;
 };
 
+/// The nodes of all bands and the part of its band that each stands for, each once; no lanes yet.
+[[nodiscard]] AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays,
+                                 int wavelengths_per_band);
+
 /// Plans for air that absorbs alike over each band's nodes.
 [[nodiscard]] CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays,
                                      int wavelengths_per_band);

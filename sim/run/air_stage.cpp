@@ -54,15 +54,17 @@ void describe_table(const AirTable& table, ReportValues& values) {
 }
 
 /// Computes the table of air in layers, or finds it in the cache.
-AirTable solve(const LayeredTask& task, const World& world, const CameraPlan& plan,
+AirTable solve(const LayeredTask& task, const World& world, int wavelengths_per_band,
                const AirCacheOptions& cache, ReportValues& values, Diagnostics& diagnostics) {
   const ephemeris::Illumination& bodies = world.scene.illumination;
-  const std::string key =
-      air_key(task.air, task.settings, plan.air, bodies, digest_of(task.figures));
+  const std::vector<sensor::DetectorArray>& arrays = world.camera.arrays;
+  const AirLanes nodes = air_nodes(arrays, wavelengths_per_band);
+  const std::string key = air_key(task.air, task.settings, nodes, bodies, digest_of(task.figures));
   atmosphere::SolveCounts counts;  // stay 0 where the cache has the table
-  const auto make = [&] {
-    return atmosphere::make_air_table(task.air, task.settings, plan.air.lanes, plan.air.wavelengths,
-                                      bodies, &counts);
+  const auto make = [&] {          // a kept table knows its lanes: only here are they split
+    const AirLanes air = plan_camera(arrays, wavelengths_per_band, task.air, task.settings).air;
+    return atmosphere::make_air_table(task.air, task.settings, air.lanes, air.wavelengths, bodies,
+                                      &counts);
   };
   CacheOutcome outcome;
   AirTable table = cached_air_table(key, make, diagnostics, outcome, cache);
@@ -73,7 +75,7 @@ AirTable solve(const LayeredTask& task, const World& world, const CameraPlan& pl
             {"streams", static_cast<std::int64_t>(fast ? 2 : task.settings.streams)},
             {"observer_height_m", task.settings.observer_height_m},
             {"ground_height_m", task.air.ground_height_m},
-            {"wavelengths", whole(plan.air.wavelengths.size())},
+            {"wavelengths", whole(nodes.wavelengths.size())},
             {"beam_solves", static_cast<std::int64_t>(counts.beam_solves)},
             {"thermal_solves", static_cast<std::int64_t>(counts.thermal_solves)},
             {"from_cache", outcome.hit},
@@ -81,20 +83,24 @@ AirTable solve(const LayeredTask& task, const World& world, const CameraPlan& pl
   return table;
 }
 
-Micrometres mean_wavelength(const AirLanes& air) {
-  double sum = 0.0;
-  for (const Micrometres wavelength : air.wavelengths) sum += wavelength.value;
-  return Micrometres{sum / static_cast<double>(air.wavelengths.size())};
+Micrometres mean_wavelength(const std::vector<sensor::DetectorArray>& arrays) {
+  double sum = 0.0, count = 0.0;
+  for (const sensor::DetectorArray& array : arrays) {
+    for (const sensor::Band& band : array.bands) {
+      sum += spectral::centre(band.response).value;
+      count += 1.0;
+    }
+  }
+  return Micrometres{sum / count};
 }
 
 }  // namespace
 
-std::optional<RayBending> camera_bending(const World& world, const CameraPlan& plan,
-                                         ReportValues& report) {
+std::optional<RayBending> camera_bending(const World& world, ReportValues& report) {
   if (!world.air || !world.air->layered || !world.air->layered->refraction) return std::nullopt;
   constexpr double noticeable_pixels = 0.1;
   const atmosphere::Layered& air = world.air->layered->air;
-  RayBending bending{atmosphere::Refractivity{air.profile, mean_wavelength(plan.air)},
+  RayBending bending{atmosphere::Refractivity{air.profile, mean_wavelength(world.camera.arrays)},
                      air.ground_height_m};
   double worst = 0.0;
   for (const sensor::DetectorArray& array : world.camera.arrays) {
@@ -107,7 +113,7 @@ std::optional<RayBending> camera_bending(const World& world, const CameraPlan& p
   return bending;
 }
 
-ReportValues finish_air(World& world, const CameraPlan& plan, Diagnostics& diagnostics,
+ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics& diagnostics,
                         const AirCacheOptions& cache) {
   if (!world.air) return {};
   return at_element(world.air->where, [&] {
@@ -116,11 +122,12 @@ ReportValues finish_air(World& world, const CameraPlan& plan, Diagnostics& diagn
     std::shared_ptr<const AirTable> table;
     if (task.layered) {
       table = std::make_shared<const AirTable>(
-          solve(*task.layered, world, plan, cache, values, diagnostics));
+          solve(*task.layered, world, sampling.wavelengths_per_band, cache, values, diagnostics));
     } else {
       table = std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
     }
     describe_table(*table, values);
+    const CameraPlan plan = plan_camera(world.camera.arrays, sampling.wavelengths_per_band);
     auto ground =
         ground_light(world.scene, task.ground, ground_wavelengths(*table, plan), diagnostics);
     world.scene.atmosphere = atmosphere::Tabulated{std::move(table), std::move(ground)};

@@ -12,21 +12,21 @@ namespace nadir::sim {
 /// other air.
 /// @return what the report tells of it; empty where nothing was done
 /// @throws InputError located at the air's element
-ReportValues finish_air(World& world, const CameraPlan& plan, Diagnostics& diagnostics,
+ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics& diagnostics,
                         const AirCacheOptions& cache = {});
 
 /// The bending of the camera's rays, where the scenario asks for it and it shifts what some array
 /// sees by a tenth of a pixel or more; otherwise rays are straight, and nothing is spent on it. One
 /// wavelength stands for all: the mean of the camera's.
 /// @param report  told of the shift
-[[nodiscard]] std::optional<RayBending> camera_bending(const World& world, const CameraPlan& plan,
-                                                       ReportValues& report);
+[[nodiscard]] std::optional<RayBending> camera_bending(const World& world, ReportValues& report);
 
 /// Everything that the table of air in layers depends on, as text: the cache's key. Numbers are
 /// written so that they read back to the last bit.
+/// @param nodes    the lanes follow from them
 /// @param figures  digest of the files of gases and particles
 [[nodiscard]] std::string air_key(const atmosphere::Layered& air,
-                                  const atmosphere::AirSettings& settings, const AirLanes& lanes,
+                                  const atmosphere::AirSettings& settings, const AirLanes& nodes,
                                   const ephemeris::Illumination& bodies,
                                   const std::string& figures);
 

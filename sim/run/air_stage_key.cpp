@@ -73,7 +73,7 @@ void add_bodies(const ephemeris::Illumination& bodies, const AirLanes& lanes, Ke
 }  // namespace
 
 std::string air_key(const atmosphere::Layered& air, const atmosphere::AirSettings& settings,
-                    const AirLanes& lanes, const ephemeris::Illumination& bodies,
+                    const AirLanes& nodes, const ephemeris::Illumination& bodies,
                     const std::string& figures) {
   KeyText key;
   key.line("nadir {} air {} {} {}", NADIR_VERSION, physics_version, air_table_version, figures);
@@ -84,11 +84,11 @@ std::string air_key(const atmosphere::Layered& air, const atmosphere::AirSetting
   key.curve("starlight", air.night.starlight);
   key.curve("urban glow", air.night.urban_glow);
   add_settings(settings, key);
-  for (const atmosphere::SplitLane& lane : lanes.lanes) {
-    key.line("lane {} {} {} {} {}", lanes.wavelengths[static_cast<std::size_t>(lane.source)].value,
-             lane.absorption.lo_um, lane.absorption.hi_um, lane.absorption.term, lane.weight);
+  for (std::size_t i = 0; i < nodes.wavelengths.size(); ++i) {
+    key.line("node {} {} {}", nodes.wavelengths[i].value, nodes.intervals[i].lo_um,
+             nodes.intervals[i].hi_um);
   }
-  add_bodies(bodies, lanes, key);
+  add_bodies(bodies, nodes, key);
   return key.take();
 }
 

@@ -134,17 +134,16 @@ RunOutcome run_scenario(const RunOptions& options) {
   check_spectra(world, scenario.sampling, diagnostics);
   check_memory(world);
   check_view(world, diagnostics);
-  const CameraPlan plan =
-      clock.stage("plan", [&] { return plan_camera(world, scenario.sampling); });
   prepare_output(options.output);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
   std::optional<RayBending> bending;
   if (world.air) {
     clock.stage("air", [&] {
-      report.air = finish_air(world, plan, diagnostics);
-      bending = camera_bending(world, plan, report.air);
+      report.air = finish_air(world, scenario.sampling, diagnostics);
+      bending = camera_bending(world, report.air);
     });
   }
+  const CameraPlan plan = plan_camera(world, scenario.sampling);
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
                   {scenario.sampling, options.seed, options.threads, scenario.products.truth,
@@ -175,7 +174,6 @@ Validation validate_scenario(const std::filesystem::path& file) {
   const World world = load_world(scenario, inputs, diagnostics);
   check_spectra(world, scenario.sampling, diagnostics);
   check_view(world, diagnostics);
-  if (world.air) static_cast<void>(plan_camera(world, scenario.sampling));
   Validation found;
   found.name = scenario.name;
   found.objects = scenario.geometry.size();

@@ -133,23 +133,16 @@ void check_memory(const World& world) {
 
 CameraPlan plan_camera(const World& world, const SamplingInput& sampling) {
   const std::vector<sensor::DetectorArray>& arrays = world.camera.arrays;
-  const int wavelengths = sampling.wavelengths_per_band;
-  if (!world.air) return plan_camera(arrays, wavelengths);
-  return at_element(world.air->where, [&] {
-    if (const auto& layered = world.air->layered) {
-      return plan_camera(arrays, wavelengths, layered->air, layered->settings);
-    }
-    const auto& table = *std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
-    return plan_camera(arrays, wavelengths, table);
+  const auto* air = std::get_if<atmosphere::Tabulated>(&world.scene.atmosphere);
+  if (air == nullptr) return plan_camera(arrays, sampling.wavelengths_per_band);
+  return at_element(world.air ? world.air->where : SourceLocation{}, [&] {
+    return plan_camera(arrays, sampling.wavelengths_per_band, *air->table);
   });
 }
 
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics) {
-  // Air in layers is still to come (None) and knows all wavelengths: its lanes need not be split.
-  const bool is_layered = world.air && world.air->layered;
-  const CameraPlan plan = is_layered
-                              ? plan_camera(world.camera.arrays, sampling.wavelengths_per_band)
-                              : plan_camera(world, sampling);
+  // Air in layers is still to come (None) and knows all wavelengths that bands may have.
+  const CameraPlan plan = plan_camera(world, sampling);
   ErrorList errors;
   for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     for (const auto& lanes : plan.arrays[i].lanes.blocks) {

@@ -26,8 +26,9 @@ struct World {
 [[nodiscard]] World load_world(const Scenario& scenario, InputFiles& files,
                                Diagnostics& diagnostics);
 
-/// The lanes that the camera's arrays need in this world's air.
-/// @throws InputError where the air's figures do not reach a band
+/// The lanes that the camera's arrays need in this world's air; air in layers has them only once it
+/// is finished.
+/// @throws InputError where a table of the air has no lanes for a band
 [[nodiscard]] CameraPlan plan_camera(const World& world, const SamplingInput& sampling);
 
 /// Checks that every spectrum serves the camera's bands, as a run would. The air is not computed.

@@ -97,9 +97,9 @@ TEST_CASE("In a furnace air is invisible along every path", "[atmosphere][air]")
       const double ground = planck * value(view.ground, view, {z, s});
       // Straight up at the top there is no air.
       if (whole_measure(table, view, z) == 0.0 && !down) continue;
-      double source = even + ground;
       // The last node looking up sees the space outside as well.
-      if (!down && s + 1 == view.share.size()) source = (source * (1.0 - t) - t * planck) / (1.0 - t);
+      const bool space = !down && s + 1 == view.share.size();
+      const double source = (even + ground) * (space ? 1.0 - t : 1.0);
       worst = std::max(worst, std::abs(source / planck - 1.0));
     }
   }

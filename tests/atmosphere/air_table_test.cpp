@@ -47,7 +47,7 @@ BoundAirTable at(const AirTable& table, const std::vector<double>& wavelengths_u
                  std::vector<spectral::AbsorptionLane> absorption = {}) {
   std::vector<Micrometres> wavelengths;
   for (const double um : wavelengths_um) wavelengths.emplace_back(um);
-  const std::vector<float> black(wavelengths.size(), 0.0F);
+  const std::vector<float> black(table.lanes.size(), 0.0F);
   return {std::make_shared<const AirTable>(table),
           {black, black},
           spectral::Lanes{wavelengths, std::move(absorption)}};

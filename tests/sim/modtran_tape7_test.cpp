@@ -106,7 +106,7 @@ TEST_CASE("rays through an imported table see what the runs saw", "[modtran]") {
   using nadir::operator""_um;
   const Slab slab;
   const auto table = std::make_shared<const atmosphere::AirTable>(imported(grid_of(slab)));
-  const std::vector<float> none(3, 0.0F);
+  const std::vector<float> none(table->lanes.size(), 0.0F);
   const atmosphere::BoundAirTable air{
       table, {none, none}, spectral::Lanes{{1.0_um, 5.0_um, 10.0_um}}};
   const auto towards = [&](double zenith_deg, double azimuth_deg) {
