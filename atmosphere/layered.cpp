@@ -19,8 +19,7 @@ double at_lane(const Curve& curve, const AbsorptionLane& lane, Micrometres wavel
   const bool interval = lane.hi_um > lane.lo_um;
   const Micrometres lo{interval ? lane.lo_um : wavelength.value};
   const Micrometres hi{interval ? lane.hi_um : wavelength.value};
-  const double value =
-      interval && curve.covers(lo, hi) ? curve.mean(lo, hi) : curve.at(wavelength);
+  const double value = interval && curve.covers(lo, hi) ? curve.mean(lo, hi) : curve.at(wavelength);
   if (!std::isfinite(value)) {
     throw InputError(what + " is not known at " + std::to_string(wavelength.value) + " um");
   }
@@ -50,8 +49,8 @@ std::vector<std::vector<double>> gas_depths(const ColumnMaker& maker, const AirS
                       before.absorption.lo_um == lane.absorption.lo_um &&
                       before.absorption.hi_um == lane.absorption.hi_um;
     if (!same) {
-      terms = maker.terms(lane.absorption, Micrometres{lane.wavelength_um},
-                          settings.term_tolerance);
+      terms =
+          maker.terms(lane.absorption, Micrometres{lane.wavelength_um}, settings.term_tolerance);
     }
     const auto term = static_cast<std::size_t>(lane.absorption.term);
     if (lane.absorption.term < 0 || term >= terms.size()) {

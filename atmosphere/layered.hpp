@@ -18,7 +18,7 @@ namespace nadir::atmosphere {
 struct Layered {
   std::shared_ptr<const BandTables> gases;
   std::shared_ptr<const ParticleTables> particles;
-  Profile profile;              ///< amounts already scaled
+  Profile profile;               ///< amounts already scaled
   double ground_height_m = 0.0;  ///< of the scene, above sea level
   Aerosol aerosol;
   std::vector<Cloud> clouds;
@@ -32,9 +32,9 @@ struct AirSettings {
   AirMode mode = AirMode::accurate;
   int streams = 8;
   double term_tolerance = 5e-4;  ///< of transmittance, see GasAbsorption::terms
-  int zenith_nodes = 12;         ///< on either side of the horizon
+  int zenith_nodes = 16;         ///< on either side of the horizon
   int azimuth_nodes = 13;
-  int share_nodes = 12;
+  int share_nodes = 16;
   double observer_height_m = 0.0;  ///< above sea level
   bool paths = true;               ///< a view from the observer; without: the sky only
   double dark_below = 1e-6;        ///< bodies this much weaker than the strongest are left out

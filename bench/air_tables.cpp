@@ -1,6 +1,6 @@
-// Time and error of air tables, a row a setting: a day over 60 wavelengths from 0.4 to 2.45 um, seen
-// from space, against a table with many streams, terms and nodes. Error: rms over wavelengths and
-// directions, relative, of the sky and of what is seen of a ground of albedo 0.2.
+// Time and error of air tables, a row a setting: a day over 60 wavelengths from 0.4 to 2.45 um,
+// seen from space, against a table with many streams, terms and nodes. Error: rms over wavelengths
+// and directions, relative, of the sky and of what is seen of a ground of albedo 0.2.
 //
 //   air_tables [folder of library/atmosphere]
 #include <chrono>
@@ -31,10 +31,15 @@ struct Day {
 
 Day make_day(const std::string& folder, int count) {
   const auto gases = std::make_shared<const BandTables>(sim::read_band_tables(folder));
-  const auto particles = std::make_shared<const ParticleTables>(
-      sim::read_particle_tables(folder + "/particles.txt"));
+  const auto particles =
+      std::make_shared<const ParticleTables>(sim::read_particle_tables(folder + "/particles.txt"));
   const auto dark = spectral::Curve::constant(0.0);
-  Day day{{gases, particles, standard_profile(*gases, "us_standard_1976"), 0.0, {}, {},
+  Day day{{gases,
+           particles,
+           standard_profile(*gases, "us_standard_1976"),
+           0.0,
+           {},
+           {},
            {dark, dark, dark}},
           {},
           {},
@@ -45,8 +50,8 @@ Day make_day(const std::string& folder, int count) {
     day.intervals.push_back({um - 0.01, um + 0.01, 0});
   }
   const double z = 40.0 * std::numbers::pi / 180.0;
-  day.sun = {{"sun", {0.0, std::sin(z), std::cos(z)}, Angle{0.00465},
-              spectral::Curve::constant(1000.0)}};
+  day.sun = {
+      {"sun", {0.0, std::sin(z), std::cos(z)}, Angle{0.00465}, spectral::Curve::constant(1000.0)}};
   return day;
 }
 
@@ -74,12 +79,14 @@ std::vector<double> look(const Day& day, const std::shared_ptr<const AirTable>& 
     const BoundAirTable bound{table, ground, spectral::Lanes{wavelengths, absorption}};
     for (int d = 0; d < directions; ++d) {
       const bool up = d < directions / 2;
-      const double z = (up ? 8.0 + 21.0 * d : 180.0 - 3.0 - 13.0 * (d - 4)) * std::numbers::pi / 180.0;
+      const double z =
+          (up ? 8.0 + 21.0 * d : 180.0 - 3.0 - 13.0 * (d - 4)) * std::numbers::pi / 180.0;
       const double a = 0.4 + 0.9 * d;
       const Vec3 direction{std::sin(z) * std::sin(a), std::sin(z) * std::cos(a), std::cos(z)};
       const auto light = up ? bound.sky(direction) : bound.beyond({0.0, 0.0, 100e3}, direction);
       for (std::size_t i = first; i < last; ++i) {
-        seen[static_cast<std::size_t>(lanes[i].source) * directions + static_cast<std::size_t>(d)] +=
+        seen[static_cast<std::size_t>(lanes[i].source) * directions +
+             static_cast<std::size_t>(d)] +=
             lanes[i].weight * static_cast<double>(light[static_cast<int>(i - first)]);
       }
     }

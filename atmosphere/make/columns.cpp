@@ -43,7 +43,8 @@ ColumnMaker::ColumnMaker(const Layered& air, const std::vector<Micrometres>& wav
     : levels_m_{column_levels_m(air.profile, air.aerosol, air.clouds, air.ground_height_m)},
       gases_{air.gases, air.profile, levels_m_},
       particles_{air.particles, air.aerosol, air.clouds, levels_m_} {
-  for (const double z : levels_m_) temperatures_k_.push_back(level_at(air.profile, z).temperature_k);
+  for (const double z : levels_m_)
+    temperatures_k_.push_back(level_at(air.profile, z).temperature_k);
   for (int k = 0; k < particles_.kinds(); ++k) {
     const auto& depth = particles_.depth_550(k);
     total_550_.push_back(std::accumulate(depth.begin(), depth.end(), 0.0));

@@ -35,8 +35,8 @@ class ColumnMaker {
   std::vector<double> temperatures_k_;
   GasAbsorption gases_;
   Particles particles_;
-  std::vector<double> total_550_;        // extinction of each kind of particles, whole column
-  std::vector<std::vector<int>> groups_; // kinds of particles that make one kind of the column
+  std::vector<double> total_550_;         // extinction of each kind of particles, whole column
+  std::vector<std::vector<int>> groups_;  // kinds of particles that make one kind of the column
 };
 
 }  // namespace nadir::atmosphere

@@ -173,7 +173,7 @@ double light_share(double mu0) noexcept {
 
 void LaneFields::add_source(int layer, const StepEnd& end,
                             std::vector<double>& into) const noexcept {
-  const auto place = static_cast<std::size_t>(2 * layer);
+  const std::size_t place = 2 * static_cast<std::size_t>(layer);
   for (std::size_t edge = 0; edge < 2; ++edge) {
     const double share = edge == 0 ? end.top : 1.0 - end.top;
     const double* row =

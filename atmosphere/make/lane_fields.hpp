@@ -53,11 +53,11 @@ struct LaneFields {
     std::size_t body = 0;
     double irradiance = 0.0;
     BodyPlace place;
-    int modes = 0;                  ///< of its scattered light, 0: not solved
+    int modes = 0;  ///< of its scattered light, 0: not solved
     std::size_t first_component = 0;
     std::vector<double> transmittance;  ///< of the scaled air, from outside to each level
-    LocalBody local;                ///< where the body stands low
-    FieldFluxes fluxes;             ///< per unit irradiance
+    LocalBody local;                    ///< where the body stands low
+    FieldFluxes fluxes;                 ///< per unit irradiance
   };
   static constexpr std::size_t even = 0, ground = 1;  ///< components; then the beams' modes
 

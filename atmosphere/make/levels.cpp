@@ -17,10 +17,9 @@ constexpr double boundary_m = 2000.0;
 constexpr std::array<double, 6> low_m{250.0, 500.0, 750.0, 1000.0, 1500.0, 2000.0};
 /// Above sea level. A layer holds at most a fifth of a scale height up to 10 km, a third up to 30
 /// km and two thirds above: what is lit there in twilight must thin out as the air does.
-constexpr std::array<double, 29> high_m{3e3,    4e3,  5e3,    6e3,  7e3,  8e3,  9e3,  10e3,
-                                        11e3,   12e3, 14e3,   16e3, 18e3, 20e3, 22.5e3, 25e3,
-                                        27.5e3, 30e3, 33e3,   36e3, 40e3, 44e3, 48e3, 53e3,
-                                        58e3,   64e3, 71e3,   79e3, 88e3};
+constexpr std::array<double, 29> high_m{
+    3e3,  4e3,    5e3,  6e3,  7e3,  8e3,  9e3,  10e3, 11e3, 12e3, 14e3, 16e3, 18e3, 20e3, 22.5e3,
+    25e3, 27.5e3, 30e3, 33e3, 36e3, 40e3, 44e3, 48e3, 53e3, 58e3, 64e3, 71e3, 79e3, 88e3};
 
 /// Drops heights that lie closer than `gap` to one that must stay.
 void keep_clear(std::vector<double>& heights, const std::vector<double>& fixed, double gap) {
@@ -108,7 +107,8 @@ std::vector<double> column_levels_m(const Profile& profile, const Aerosol& aeros
   }
   if (!(ground_m < top_m - 100.0)) {
     throw InputError("the ground, " + std::to_string(ground_m) +
-                     " m above sea level, lies above all but the last 100 m of the air's profile, which ends at " +
+                     " m above sea level, lies above all but the last 100 m of the air's profile, "
+                     "which ends at " +
                      std::to_string(top_m) + " m");
   }
   const std::vector<double> fixed = fixed_levels(aerosol, clouds, ground_m, top_m);

@@ -25,6 +25,25 @@ double faded(double from, double to, double x) noexcept {
   return from * (mean_fade(x) - far) + to * far;
 }
 
+/// A beam's transmittance within a layer, by that at all levels; see StepEnd for top.
+double beam_at(const std::vector<double>& levels, int layer, double top) noexcept {
+  const auto k = static_cast<std::size_t>(layer);
+  const double upper = levels[k], lower = levels[k + 1];
+  if (top >= 1.0) return upper;
+  if (lower > 1e-30 && upper > 1e-30) return lower * std::pow(upper / lower, top);
+  return lower + top * (upper - lower);
+}
+
+/// Notes the sums for the shares up to one that have none yet.
+void store(PathSums& sums, const std::vector<double>& light, int share, std::size_t& stored) {
+  for (; share >= 0 && stored <= static_cast<std::size_t>(share); ++stored) {
+    sums.depth[stored] = sums.depth_so_far;
+    sums.scaled_depth[stored] = sums.scaled_so_far;
+    std::copy(light.begin(), light.end(),
+              sums.light.begin() + static_cast<std::ptrdiff_t>(stored * sums.sums));
+  }
+}
+
 }  // namespace
 
 /// What a path's steps share.
@@ -51,15 +70,6 @@ PathLight::PathLight(const LaneFields& fields, std::vector<double> azimuths_rad)
   }
 }
 
-double PathLight::beam_at(std::size_t beam, int layer, double top) const {
-  const auto k = static_cast<std::size_t>(layer);
-  const auto& t = fields_.beams[beam].transmittance;
-  const double upper = t[k], lower = t[k + 1];
-  if (top >= 1.0) return upper;
-  if (lower > 1e-30 && upper > 1e-30) return lower * std::pow(upper / lower, top);
-  return lower + top * (upper - lower);
-}
-
 double PathLight::local_at(std::size_t beam, int layer, const StepEnd& end,
                            double azimuth_rad) const {
   const LaneFields::Beam& b = fields_.beams[beam];
@@ -71,8 +81,8 @@ void PathLight::add_first(const PathStep& step, double reach, Work& work) const 
   const auto layer = static_cast<std::size_t>(step.layer);
   const double x = fields_.scaled_depth[layer] * step.slant;
   for (std::size_t b = 0; b < fields_.beams.size(); ++b) {
-    const double in = beam_at(b, step.layer, step.in.top);
-    const double out = beam_at(b, step.layer, step.out.top);
+    const double in = beam_at(fields_.beams[b].transmittance, step.layer, step.in.top);
+    const double out = beam_at(fields_.beams[b].transmittance, step.layer, step.out.top);
     const double lit = reach * step.slant * fields_.beams[b].irradiance * faded(in, out, x);
     if (lit <= 0.0) continue;
     for (std::size_t k = 0; k < kinds_; ++k) {
@@ -134,7 +144,7 @@ PathSums PathLight::along(const ViewPath& path, std::size_t shares) const {
   start_rates(path, sums, work);
   std::vector<double> light(sums_, 0.0);
   work.light = light.data();
-  double depth = 0.0, scaled = 0.0;
+  double &depth = sums.depth_so_far, &scaled = sums.scaled_so_far;
   std::size_t stored = path.empty_shares;
   for (const PathStep& step : path.steps) {
     const auto layer = static_cast<std::size_t>(step.layer);
@@ -152,12 +162,7 @@ PathSums PathLight::along(const ViewPath& path, std::size_t shares) const {
     add_local(step, reach, work);
     scaled += x;
     depth += fields_.depth[layer] * step.slant;
-    for (; step.share >= 0 && stored <= static_cast<std::size_t>(step.share); ++stored) {
-      sums.depth[stored] = depth;
-      sums.scaled_depth[stored] = scaled;
-      std::copy(light.begin(), light.end(),
-                sums.light.begin() + static_cast<std::ptrdiff_t>(stored * sums_));
-    }
+    store(sums, light, step.share, stored);
   }
   return sums;
 }

@@ -14,7 +14,8 @@ struct PathSums {
   std::size_t sums = 0;                     ///< how many there are, see PathLight
   std::vector<double> light;                ///< [share][sum]
   std::vector<double> rate;  ///< [sum]: what each gains per slant of the first layer at the start
-  double first_depth = 0.0, first_scaled = 0.0;  ///< of the first layer
+  double depth_so_far = 0.0, scaled_so_far = 0.0;  ///< of the whole way in the end
+  double first_depth = 0.0, first_scaled = 0.0;    ///< of the first layer
 };
 
 /// Sums light along paths at one lane. The sums are: the components of LaneFields; for each beam
@@ -40,7 +41,6 @@ class PathLight {
   void add_first(const PathStep& step, double reach, Work& work) const;
   void add_local(const PathStep& step, double reach, Work& work) const;
   void start_rates(const ViewPath& path, PathSums& sums, Work& work) const;
-  [[nodiscard]] double beam_at(std::size_t beam, int layer, double top) const;
   [[nodiscard]] double local_at(std::size_t beam, int layer, const StepEnd& end,
                                 double azimuth_rad) const;
 

@@ -57,6 +57,21 @@ Ray make_ray(const Shells& shells, double height_m, const Point& p, bool whole) 
   return ray;
 }
 
+/// Radiances of one lane, summed directly and looked up.
+struct Compared {
+  std::vector<double> exact, found;
+
+  [[nodiscard]] double largest() const {
+    double brightest = 0.0, worst = 0.0;
+    for (const double e : exact) brightest = std::max(brightest, e);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      const double scale = std::max(exact[i], dark * brightest);
+      if (scale > 0.0) worst = std::max(worst, std::abs(found[i] - exact[i]) / scale);
+    }
+    return worst;
+  }
+};
+
 /// The path's radiance, summed directly.
 double direct_sum(const LaneFields& fields, const AirTable& table, const Ray& ray, double ground,
                   bool whole) {
@@ -110,8 +125,7 @@ GroundLight test_ground(const AirTable& table) {
 
 }  // namespace
 
-ErrorProbe::ErrorProbe(const TableJob& job, const TableFiller& filler)
-    : job_{job}, filler_{filler} {
+ErrorProbe::ErrorProbe(const TableJob& job, const TableFiller& filler) : filler_{filler} {
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < job.lanes.size(); ++i) {
     if (job.lanes[i].absorption.term == 0) candidates.push_back(i);
@@ -125,9 +139,9 @@ ErrorProbe::ErrorProbe(const TableJob& job, const TableFiller& filler)
 }
 
 void ErrorProbe::keep(std::size_t lane, LaneFields fields) {
-  for (Kept& kept : kept_) {
-    if (kept.lane == lane) kept.fields = std::move(fields);
-  }
+  const auto kept =
+      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.lane == lane; });
+  if (kept != kept_.end()) kept->fields = std::move(fields);
 }
 
 double ErrorProbe::largest_error(const AirTable& table) const {
@@ -141,36 +155,32 @@ double ErrorProbe::largest_error(const AirTable& table) const {
   }
   // Lent for the time of this call, not owned.
   const std::shared_ptr<const AirTable> lent{std::shared_ptr<const AirTable>{}, &table};
-  const BoundAirTable bound{lent, test_ground(table),
-                            spectral::Lanes{wavelengths, absorption}};
+  const BoundAirTable bound{lent, test_ground(table), spectral::Lanes{wavelengths, absorption}};
+  double worst = view_error(table, bound, lanes, true);
+  if (!table.views.empty()) worst = std::max(worst, view_error(table, bound, lanes, false));
+  return worst;
+}
+
+double ErrorProbe::view_error(const AirTable& table, const BoundAirTable& bound,
+                              const std::vector<std::size_t>& lanes, bool whole) const {
   const spectral::Spectrum ground = bound.ground_radiance();
-  double worst = 0.0;
-  for (const bool whole : {true, false}) {
-    if (!whole && table.views.empty()) continue;
-    const double height = whole ? table.ground_m : table.views.front().height_m;
-    std::vector<double> brightest(lanes.size(), 0.0), error(lanes.size(), 0.0);
-    std::vector<std::vector<double>> exact(lanes.size()), found(lanes.size());
-    for (int i = 0; i < directions; ++i) {
-      const Ray ray = make_ray(filler_.shells(), height, point(i), whole);
-      if (beside_a_body(filler_, table, ray) || ray.length_m <= 0.0) continue;
-      const Vec3 eye{0.0, 0.0, height - table.ground_m};
-      const spectral::Spectrum seen =
-          whole ? bound.sky(ray.direction) : bound.path(eye, ray.direction, ray.length_m).radiance;
-      for (std::size_t k = 0; k < lanes.size(); ++k) {
-        const int lane = static_cast<int>(k);
-        const double g = static_cast<double>(ground[lane]);
-        exact[k].push_back(direct_sum(kept_[k].fields, table, ray, g, whole));
-        found[k].push_back(static_cast<double>(seen[lane]));
-        brightest[k] = std::max(brightest[k], exact[k].back());
-      }
-    }
+  const double height = whole ? table.ground_m : table.views.front().height_m;
+  std::vector<Compared> compared(lanes.size());
+  for (int i = 0; i < directions; ++i) {
+    const Ray ray = make_ray(filler_.shells(), height, point(i), whole);
+    if (beside_a_body(filler_, table, ray) || ray.length_m <= 0.0) continue;
+    const Vec3 eye{0.0, 0.0, height - table.ground_m};
+    const spectral::Spectrum seen =
+        whole ? bound.sky(ray.direction) : bound.path(eye, ray.direction, ray.length_m).radiance;
     for (std::size_t k = 0; k < lanes.size(); ++k) {
-      for (std::size_t i = 0; i < exact[k].size(); ++i) {
-        const double scale = std::max(exact[k][i], dark * brightest[k]);
-        if (scale > 0.0) worst = std::max(worst, std::abs(found[k][i] - exact[k][i]) / scale);
-      }
+      const int lane = static_cast<int>(k);
+      const double g = static_cast<double>(ground[lane]);
+      compared[k].exact.push_back(direct_sum(kept_[k].fields, table, ray, g, whole));
+      compared[k].found.push_back(static_cast<double>(seen[lane]));
     }
   }
+  double worst = 0.0;
+  for (const Compared& c : compared) worst = std::max(worst, c.largest());
   return worst;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "atmosphere/make/table_filler.hpp"
+#include "atmosphere/table/bound_air_table.hpp"
 
 namespace nadir::atmosphere {
 
@@ -24,7 +25,9 @@ class ErrorProbe {
     std::size_t lane = 0;
     LaneFields fields;
   };
-  const TableJob& job_;
+  [[nodiscard]] double view_error(const AirTable& table, const BoundAirTable& bound,
+                                  const std::vector<std::size_t>& lanes, bool whole) const;
+
   const TableFiller& filler_;
   std::vector<Kept> kept_;
 };

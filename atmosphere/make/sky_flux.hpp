@@ -4,8 +4,9 @@
 
 namespace nadir::atmosphere {
 
-// Irradiance of level ground by what one lane scatters out of a beam: int L d(sin^2 z) dphi / 2 by the trapezoid
-// rule over the sky's own nodes. Good to 2 % with 12 nodes and more for a sky without sharp peaks.
+// Irradiance of level ground by what one lane scatters out of a beam: int L d(sin^2 z) dphi / 2 by
+// the trapezoid rule over the sky's own nodes. Good to 2 % with 12 nodes and more for a sky without
+// sharp peaks.
 
 /// With the body above the horizon the narrow peak about it is not
 /// resolved.

@@ -128,48 +128,50 @@ void TableFiller::choose_bodies() {
   const std::size_t lanes = table_.lanes.size();
   std::vector<double> strongest(lanes, 0.0);
   const auto strength = [&](const TableJob::Body& body, std::size_t lane) {
-    return body.irradiance[lane] * light_share(body.direction_enu.z);
+    return elevation_of(body) < night_elevation
+               ? 0.0
+               : body.irradiance[lane] * light_share(body.direction_enu.z);
   };
   for (const TableJob::Body& body : job_.bodies) {
-    if (elevation_of(body) < night_elevation) continue;
     for (std::size_t i = 0; i < lanes; ++i) {
       strongest[i] = std::max(strongest[i], strength(body, i));
     }
   }
   for (std::size_t b = 0; b < job_.bodies.size(); ++b) {
-    const TableJob::Body& body = job_.bodies[b];
-    const double elevation = elevation_of(body);
-    if (elevation < night_elevation) continue;
     bool matters = false;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const double s = strength(body, i);
+      const double s = strength(job_.bodies[b], i);
       matters = matters || (s > 0.0 && s >= job_.settings.dark_below * strongest[i]);
     }
-    if (!matters) continue;
-    kept_.push_back(b);
-    const double shown = std::max(elevation, twilight_elevation);
-    places_.push_back({std::sin(shown), body.angular_radius.value});
-    decline_.push_back(light_share(std::sin(elevation)) / light_share(std::sin(shown)) *
-                       twilight_growth(elevation / degree));
-    if (decline_.back() > 1.0) {
-      table_.notes.push_back("the " + body.name +
-                             " has set: its sky is made up to the measured twilight "
-                             "(Janiczek & DeYoung 1987), by a factor of " +
-                             std::to_string(decline_.back()));
-    }
-    if (elevation < twilight_elevation) {
-      table_.notes.push_back(
-          "the " + body.name +
-          " stands more than 6 degrees below the horizon: its sky is that of 6 degrees, faded as "
-          "measured (Janiczek & DeYoung 1987)");
-    }
-    AirTable::Body out;
-    out.name = body.name;
-    out.zenith_rad = 0.5 * pi - elevation;
-    out.azimuth_rad = std::atan2(body.direction_enu.x, body.direction_enu.y);
-    if (out.azimuth_rad < 0.0) out.azimuth_rad += 2.0 * pi;
-    table_.bodies.push_back(std::move(out));
+    if (matters) keep_body(b);
   }
+}
+
+void TableFiller::keep_body(std::size_t index) {
+  const TableJob::Body& body = job_.bodies[index];
+  const double elevation = elevation_of(body), shown = std::max(elevation, twilight_elevation);
+  kept_.push_back(index);
+  places_.push_back({std::sin(shown), body.angular_radius.value});
+  const double growth = twilight_growth(elevation / degree);
+  decline_.push_back(growth * light_share(std::sin(elevation)) / light_share(std::sin(shown)));
+  if (growth > 1.0) {
+    table_.notes.push_back("the " + body.name +
+                           " has set: its sky is made up to the measured twilight (Janiczek & "
+                           "DeYoung 1987), by a factor of " +
+                           std::to_string(growth));
+  }
+  if (elevation < twilight_elevation) {
+    table_.notes.push_back(
+        "the " + body.name +
+        " stands more than 6 degrees below the horizon: its sky is that of 6 degrees, faded as "
+        "measured (Janiczek & DeYoung 1987)");
+  }
+  AirTable::Body out;
+  out.name = body.name;
+  out.zenith_rad = 0.5 * pi - elevation;
+  out.azimuth_rad = std::atan2(body.direction_enu.x, body.direction_enu.y);
+  if (out.azimuth_rad < 0.0) out.azimuth_rad += 2.0 * pi;
+  table_.bodies.push_back(std::move(out));
 }
 
 void TableFiller::size_arrays(std::size_t kinds) {

@@ -23,6 +23,7 @@ class TableFiller {
 
  private:
   void choose_bodies();
+  void keep_body(std::size_t index);
   void size_arrays(std::size_t kinds);
   void put_body(std::size_t lane, const LaneFields& fields, const LaneFields::Beam& beam,
                 const LaneView& sky);
@@ -35,9 +36,9 @@ class TableFiller {
   AirTable table_;
   ViewShape sky_;
   std::vector<ViewShape> views_;
-  std::vector<std::size_t> kept_;   // bodies of the job that are bodies of the table
-  std::vector<BodyPlace> places_;   // by body of the table
-  std::vector<double> decline_;     // by body of the table: of its light in deep twilight
+  std::vector<std::size_t> kept_;  // bodies of the job that are bodies of the table
+  std::vector<BodyPlace> places_;  // by body of the table
+  std::vector<double> decline_;    // by body of the table: of its light in deep twilight
 };
 
 }  // namespace nadir::atmosphere

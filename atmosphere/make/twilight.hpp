@@ -11,8 +11,8 @@ namespace nadir::atmosphere {
 
 /// What the computed light of a set body is short of. Down to 2 degrees below the horizon the
 /// illuminance computed for clear air (US standard, rural haze of 23 km) is within 10 % of
-/// ground_illuminance_lux; below, light that has been scattered twice far apart, which a column at a
-/// time does not know, makes up a growing part: this factor is measured over computed, linear
+/// ground_illuminance_lux; below, light that has been scattered twice far apart, which a column at
+/// a time does not know, makes up a growing part: this factor is measured over computed, linear
 /// between whole degrees. 1 above -2 degrees, held below -6.
 [[nodiscard]] double twilight_growth(double elevation_deg) noexcept;
 

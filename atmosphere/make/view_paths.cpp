@@ -53,6 +53,16 @@ double way_of_share(PathPoint start, double share, double way_m, double whole_m)
   return 0.5 * (lo + hi);
 }
 
+std::vector<double> ways_of_shares(PathPoint start, const std::vector<double>& shares, double way_m,
+                                   double whole_m) {
+  std::vector<double> ways;
+  for (const double share : shares) {
+    const bool inside = share > 0.0 && share < 1.0;
+    ways.push_back(inside ? way_of_share(start, share, way_m, whole_m) : share * way_m);
+  }
+  return ways;
+}
+
 /// Into how many steps a piece is cut: height must run nearly evenly within each.
 int cuts(const PathPiece& piece) {
   const double steepest = std::max(std::abs(piece.mu_in), std::abs(piece.mu_out));
@@ -124,12 +134,7 @@ ViewPath view_path(const Shells& shells, double height_m, double zenith_rad, Sid
   path.empty_shares = shares.size();
   if (way_m <= 0.0) return path;
 
-  std::vector<double> ways;
-  for (const double share : shares) {
-    ways.push_back(share <= 0.0   ? 0.0
-                   : share >= 1.0 ? way_m
-                                  : way_of_share(start, share, way_m, path.measure_m));
-  }
+  const std::vector<double> ways = ways_of_shares(start, shares, way_m, path.measure_m);
   std::size_t next = 0;
   while (next < ways.size() && ways[next] <= 0.0) ++next;
   path.empty_shares = next;

@@ -135,8 +135,7 @@ void write_scenario_table(const fs::path& scenario_file, const fs::path& out, bo
   InputFiles files;
   const Scenario scenario = read_scenario(scenario_file, diagnostics);
   World world = load_world(scenario, files, diagnostics);
-  const CameraPlan plan = plan_camera(world, scenario.sampling);
-  finish_air(world, plan, diagnostics, {use_cache, {}});
+  finish_air(world, scenario.sampling, diagnostics, {use_cache, {}});
   for (const std::string& warning : diagnostics.messages()) {
     fmt::print(stderr, "warning: {}\n", warning);
   }

@@ -18,7 +18,8 @@ using std::numbers::pi;
 double whole_measure(const AirTable& table, const AirTable::View& view, std::size_t zenith) {
   const auto& z = view.zenith_rad;
   const bool second = zenith > 0 && z[zenith] == z[zenith - 1];
-  const bool below = second || std::cos(z[zenith]) < horizon_mu(table.ground_m, view.height_m) - 1e-12;
+  const bool below =
+      second || std::cos(z[zenith]) < horizon_mu(table.ground_m, view.height_m) - 1e-12;
   const PathPoint eye{view.height_m, std::cos(z[zenith])};
   double way = below ? way_down_to_m(eye, table.ground_m) : way_up_to_m(eye, table.top_m);
   if (below && way < 0.0) way = -(earth_radius_m + eye.height_m) * eye.mu;
@@ -70,8 +71,8 @@ TEST_CASE("In a furnace air is invisible along every path", "[atmosphere][air]")
   const double wavelength = GENERATE(4.0, 10.0);
   const double haze = GENERATE(0.0, 0.5, 5.0);
   const double height = GENERATE(0.0, 2.0, 3000.0, 100e3);
-  HandMadeAir air{.rayleigh = 0.3, .haze = haze, .haze_albedo = 0.8, .absorption = 0.4,
-                  .temperature_k = 290.0};
+  HandMadeAir air{
+      .rayleigh = 0.3, .haze = haze, .haze_albedo = 0.8, .absorption = 0.4, .temperature_k = 290.0};
   TableJob job = job_of(air, wavelength);
   job.settings.observer_height_m = height;
   job.settings.streams = 4;
@@ -81,16 +82,16 @@ TEST_CASE("In a furnace air is invisible along every path", "[atmosphere][air]")
   const AirTable table = filled_table(job);
   CAPTURE(wavelength, haze, height);
   for (std::size_t z = 0; z < table.sky.zenith_rad.size(); ++z) {
-    const double seen =
-        value(table.sky.even, table.sky, {z, 0}) + planck * value(table.sky.ground, table.sky, {z, 0});
+    const double seen = value(table.sky.even, table.sky, {z, 0}) +
+                        planck * value(table.sky.ground, table.sky, {z, 0});
     CHECK(seen == Approx(planck).epsilon(1e-5));
   }
   const AirTable::View& view = table.views.front();
   const double horizon = std::acos(horizon_mu(0.0, height));
   double worst = 0.0;
   for (std::size_t z = 0; z < view.zenith_rad.size(); ++z) {
-    const bool down = view.zenith_rad[z] > horizon ||
-                      (z > 0 && view.zenith_rad[z] == view.zenith_rad[z - 1]);
+    const bool down =
+        view.zenith_rad[z] > horizon || (z > 0 && view.zenith_rad[z] == view.zenith_rad[z - 1]);
     for (std::size_t s = 0; s < view.share.size(); ++s) {
       const double t = transmittance_at(table, view, {z, s});
       const double even = value(view.even, view, {z, s});
@@ -116,8 +117,8 @@ TEST_CASE("Where there is no air nothing is lost or added", "[atmosphere][air]")
   const AirTable table = filled_table(job);
   check(table);
   for (const AirTable::View* view : {&table.sky, &table.views.front()}) {
-    for (const auto* rows : {&view->extinction, &view->first, &view->smooth, &view->even,
-                             &view->ground}) {
+    for (const auto* rows :
+         {&view->extinction, &view->first, &view->smooth, &view->even, &view->ground}) {
       for (const float v : *rows) CHECK(v == 0.0F);
     }
   }

@@ -18,9 +18,9 @@ struct HandMadeAir {
   double temperature_k = 0.0;  ///< everywhere
 
   [[nodiscard]] static std::vector<double> levels_m() {
-    return {100e3, 90e3, 82e3, 75e3, 68e3, 62e3, 57e3, 52e3, 47e3, 42e3, 37e3,  33e3, 29e3,  25e3,
-            22e3,  19e3, 16e3, 13e3, 10e3, 8e3,  6.5e3, 5e3, 4e3,  3e3,  2e3,   1.5e3, 1e3, 500.,
-            250.,  100., 0.0};
+    return {100e3, 90e3, 82e3, 75e3,  68e3, 62e3, 57e3, 52e3, 47e3, 42e3,  37e3,
+            33e3,  29e3, 25e3, 22e3,  19e3, 16e3, 13e3, 10e3, 8e3,  6.5e3, 5e3,
+            4e3,   3e3,  2e3,  1.5e3, 1e3,  500., 250., 100., 0.0};
   }
 
   [[nodiscard]] OpticalColumn column() const {

@@ -32,7 +32,8 @@ TEST_CASE("By day nothing thermal is solved in the visible", "[atmosphere][air]"
   CHECK(counts.sky_solves == 0);
 }
 
-TEST_CASE("In the thermal infrared the sun is not solved for, and not at night", "[atmosphere][air]") {
+TEST_CASE("In the thermal infrared the sun is not solved for, and not at night",
+          "[atmosphere][air]") {
   // 0.2 W m^-2 um^-1 of sunlight at 10 um: scattered twice it would be 1e-4 of the air's emission.
   HandMadeAir clear = warm;
   clear.haze = 0.0;

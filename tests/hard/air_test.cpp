@@ -16,8 +16,8 @@ namespace {
 void look_everywhere(const AirTable& made, double brightest) {
   check(made);  // finite, not negative
   const auto table = std::make_shared<const AirTable>(made);
-  const BoundAirTable bound{table, {{0.5F}, {0.1F}},
-                            spectral::Lanes{{Micrometres{made.lanes[0].wavelength_um}}}};
+  const BoundAirTable bound{
+      table, {{0.5F}, {0.1F}}, spectral::Lanes{{Micrometres{made.lanes[0].wavelength_um}}}};
   const double ground = static_cast<double>(bound.ground_radiance()[0]);
   CHECK(std::isfinite(ground));
   const double most = 1.01 * (brightest + ground);
@@ -56,7 +56,8 @@ TEST_CASE("Air of any depth under a sun at any height", "[hard][air]") {
   const double elevation = GENERATE(90.0, 30.0, 0.0, -0.2, -10.0);
   const double height = GENERATE(0.0, 100e3, 3.6e7);
   CAPTURE(depth, elevation, height);
-  TableJob job = job_of({.rayleigh = 0.3 * depth, .haze = 0.5 * depth, .absorption = 0.2 * depth}, 0.55);
+  TableJob job =
+      job_of({.rayleigh = 0.3 * depth, .haze = 0.5 * depth, .absorption = 0.2 * depth}, 0.55);
   job.settings.observer_height_m = height;
   job.settings.streams = 4;
   job.bodies = {body_at(elevation, 0.0)};
@@ -67,7 +68,8 @@ TEST_CASE("Air of any depth under a sun at any height", "[hard][air]") {
 TEST_CASE("Haze of 50 m visibility and a cloud of depth 1000", "[hard][air]") {
   const double haze = GENERATE(156.0, 1000.0);
   const double absorbed = GENERATE(0.0, 0.3);
-  TableJob job = job_of({.rayleigh = 0.1, .haze = haze, .haze_g = 0.86, .haze_albedo = 1.0 - absorbed}, 0.55);
+  TableJob job =
+      job_of({.rayleigh = 0.1, .haze = haze, .haze_g = 0.86, .haze_albedo = 1.0 - absorbed}, 0.55);
   job.bodies = {body_at(35.0)};
   const AirTable table = filled_table(job);
   look_everywhere(table, 8.0);
@@ -80,8 +82,12 @@ TEST_CASE("Thermal air of any depth and temperature", "[hard][air]") {
   const double kelvin = GENERATE(3.0, 290.0, 6000.0);
   const double wavelength = GENERATE(0.3, 10.0);
   CAPTURE(depth, kelvin, wavelength);
-  TableJob job = job_of({.rayleigh = 0.1 * depth, .haze = depth, .haze_albedo = 0.5,
-                         .absorption = depth, .temperature_k = kelvin}, wavelength);
+  TableJob job = job_of({.rayleigh = 0.1 * depth,
+                         .haze = depth,
+                         .haze_albedo = 0.5,
+                         .absorption = depth,
+                         .temperature_k = kelvin},
+                        wavelength);
   job.settings.streams = 4;
   look_everywhere(filled_table(job), 1e9);
 }

@@ -95,8 +95,7 @@ double thermal_radiance(const Case& c, const EvenLayers& layers, const GasAbsorp
     input.wavelength = wavelength;
     const LaneFields fields = lane_fields(input, shells, {}, fast_settings(), counts);
     const PathSums sums = PathLight{fields, {}}.along(path, 1);
-    radiance +=
-        term.weight * (sums.light[LaneFields::even] + ground * std::exp(-sums.depth[0]));
+    radiance += term.weight * (sums.light[LaneFields::even] + ground * std::exp(-sums.depth[0]));
   }
   return radiance;
 }
@@ -113,11 +112,12 @@ TEST_CASE("The air's emission agrees with LOWTRAN7", "[sim][air]") {
   // Promised: 1.5 % a point and 0.4 % in the band for the sky. From space 5 % in the cores of the
   // bands of carbon dioxide at 2350 and oxygen at 1600 cm^-1, where the layers above 30 km, 5 to 30
   // km thick with one temperature each, emit; the band is held there as well.
-  const auto c = GENERATE(Case{"down_mls", "midlatitude_summer", AerosolType::none, 0.0, 0.0},
-                          Case{"down_mls_rural23", "midlatitude_summer", AerosolType::rural, 0.0, 0.0},
-                          Case{"down_mls_60", "midlatitude_summer", AerosolType::none, 60.0, 0.0},
-                          Case{"up_mls_300K", "midlatitude_summer", AerosolType::none, 180.0, 300.0},
-                          Case{"up_saw_257K", "subarctic_winter", AerosolType::none, 180.0, 257.2});
+  const auto c =
+      GENERATE(Case{"down_mls", "midlatitude_summer", AerosolType::none, 0.0, 0.0},
+               Case{"down_mls_rural23", "midlatitude_summer", AerosolType::rural, 0.0, 0.0},
+               Case{"down_mls_60", "midlatitude_summer", AerosolType::none, 60.0, 0.0},
+               Case{"up_mls_300K", "midlatitude_summer", AerosolType::none, 180.0, 300.0},
+               Case{"up_saw_257K", "subarctic_winter", AerosolType::none, 180.0, 257.2});
   auto reference = reference_columns("lowtran7_thermal.csv");
   const Layered air = lowtran_air(c.profile, c.haze);
   const EvenLayers layers{air.profile};
@@ -157,13 +157,13 @@ struct SunCase {
 struct Once {
   double radiance = 0.0, transmittance = 0.0;
 };
-Once scattered_once(const SunCase& c, const Layered& air, Micrometres wavelength, double irradiance) {
+Once scattered_once(const SunCase& c, const Layered& air, Micrometres wavelength,
+                    double irradiance) {
   const ColumnMaker maker{air, {wavelength}};
   const Shells shells{maker.levels_m(), DirectionGrid{2}};
   const BodyPlace sun{std::cos(c.sun_deg * pi / 180.0), 0.0};
   const Side side = c.height_m > 0.0 ? Side::below : Side::above;
-  const ViewPath path =
-      view_path(shells, c.height_m, c.zenith_deg * pi / 180.0, side, {1.0});
+  const ViewPath path = view_path(shells, c.height_m, c.zenith_deg * pi / 180.0, side, {1.0});
   const double cosine = scattering_cosine(path.zenith_rad, c.azimuth_deg * pi / 180.0, sun);
   Once once;
   for (const AbsorptionTerm& term : maker.terms({}, wavelength, 5e-4)) {
@@ -233,8 +233,8 @@ TEST_CASE("The sun's sky fades through twilight as measured", "[sim][air]") {
   settings.paths = false;
   settings.zenith_nodes = 20;
   const double h = elevation * pi / 180.0;
-  const ephemeris::LightSource sun{"sun", {0.0, std::cos(h), std::sin(h)}, Angle{0.00465},
-                                   spectral::Curve::constant(1870.0)};
+  const ephemeris::LightSource sun{
+      "sun", {0.0, std::cos(h), std::sin(h)}, Angle{0.00465}, spectral::Curve::constant(1870.0)};
   const std::vector<Micrometres> wavelengths{Micrometres{0.55}};
   const auto lanes = split_lanes(air, settings, wavelengths, {});
   const AirTable table = make_air_table(air, settings, lanes, wavelengths, {sun});
@@ -276,7 +276,9 @@ TEST_CASE("Ground outside the air's profile and unknown light are refused", "[si
   CHECK_THROWS_AS(make_air_table(air, settings, lanes, wavelengths, {}), InputError);
   settings.observer_height_m = 2000.0;
   const ephemeris::LightSource sun{
-      "sun", {0.0, 0.0, 1.0}, Angle{0.00465},
+      "sun",
+      {0.0, 0.0, 1.0},
+      Angle{0.00465},
       spectral::Curve{{1.0, 2.0}, {1.0, 1.0}, spectral::Outside::reject}};
   CHECK_THROWS_AS(make_air_table(air, settings, lanes, wavelengths, {sun}), InputError);
 }

@@ -44,9 +44,8 @@ inline atmosphere::Layered lowtran_air(const std::string& profile, atmosphere::A
   static const auto particles =
       std::make_shared<const ParticleTables>(read_particle_tables(folder + "/particles.txt"));
   const auto dark = spectral::Curve::constant(0.0);
-  Layered air{gases, particles, standard_profile(*gases, profile, 330.0),
-              0.0,   {},        {},
-              {dark, dark, dark}};
+  Layered air{gases, particles,         standard_profile(*gases, profile, 330.0), 0.0, {},
+              {},    {dark, dark, dark}};
   air.aerosol.type = haze;
   return air;
 }
