@@ -6,6 +6,7 @@
 #include "atmosphere/make/columns.hpp"
 #include "atmosphere/make/table_job.hpp"
 #include "core/error.hpp"
+#include "spectral/coverage.hpp"
 
 namespace nadir::atmosphere {
 namespace {
@@ -16,10 +17,7 @@ using spectral::Curve;
 /// The mean of a curve over what a lane stands for.
 double at_lane(const Curve& curve, const AbsorptionLane& lane, Micrometres wavelength,
                const std::string& what) {
-  const bool interval = lane.hi_um > lane.lo_um;
-  const Micrometres lo{interval ? lane.lo_um : wavelength.value};
-  const Micrometres hi{interval ? lane.hi_um : wavelength.value};
-  const double value = interval && curve.covers(lo, hi) ? curve.mean(lo, hi) : curve.at(wavelength);
+  const double value = spectral::lane_mean(curve, wavelength, lane);
   if (!std::isfinite(value)) {
     throw InputError(what + " is not known at " + std::to_string(wavelength.value) + " um");
   }

@@ -30,7 +30,7 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
     const auto spread = static_cast<float>(2.0 / (1.0 + cos_radius));
     const double disc = std::numbers::pi * sin_radius * sin_radius;
     Spectrum irradiance =
-        spectral::at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
+        spectral::mean_at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
         air.direct_transmittance(body.direction_enu);
     Spectrum radiance = irradiance * static_cast<float>(1.0 / disc);
     targets.push_back({body.direction_enu, sin_radius, cos_radius, disc * 2.0 / (1.0 + cos_radius),

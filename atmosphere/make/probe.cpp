@@ -5,6 +5,8 @@
 #include <memory>
 #include <numbers>
 
+#include "atmosphere/paths/path_measure.hpp"
+#include "atmosphere/paths/spherical_path.hpp"
 #include "atmosphere/table/bound_air_table.hpp"
 
 namespace nadir::atmosphere {
@@ -36,6 +38,20 @@ struct Ray {
   double azimuth_rad = 0.0;
 };
 
+/// Where along a way the probe looks: at what a scene has there. Downwards that is the ground and
+/// what rises from it; else anything, by someone near the ground, and the sky by someone high up.
+double probed_share(const Shells& shells, double height_m, double zenith_rad, double u) {
+  constexpr double relief_m = 1500.0;
+  const double over_ground_m = height_m - shells.ground_m();
+  const PathPoint eye{height_m, std::cos(zenith_rad)};
+  const double end_m = shells.ground_m() + u * u * std::min(relief_m, over_ground_m);
+  const double way_m = way_down_to_m(eye, end_m);
+  if (way_m <= 0.0) return over_ground_m < relief_m ? std::max(u, 1e-3) : 1.0;
+  const double whole_m = way_to_end_m(shells.top_m(), shells.ground_m(), height_m, eye.mu);
+  const double whole = air_measure_m(height_m, advanced(eye, whole_m).height_m, whole_m);
+  return air_measure_m(height_m, end_m, way_m) / whole;
+}
+
 Ray make_ray(const Shells& shells, double height_m, const Point& p, bool whole) {
   const double horizon = zenith_axis(shells, height_m, 3).below.front();
   Ray ray;
@@ -45,7 +61,7 @@ Ray make_ray(const Shells& shells, double height_m, const Point& p, bool whole) 
   const double away = std::pow(t, 1.5);
   const double zenith = below ? horizon + (pi - horizon) * away : horizon * (1.0 - away);
   ray.azimuth_rad = 2.0 * pi * p.y;
-  const double share = whole ? 1.0 : std::max(p.z, 1e-3);
+  const double share = whole ? 1.0 : probed_share(shells, height_m, zenith, p.z);
   ray.path = view_path(shells, height_m, zenith, below ? Side::below : Side::above, {share, 1.0});
   ray.direction = {std::sin(zenith) * std::sin(ray.azimuth_rad),
                    std::sin(zenith) * std::cos(ray.azimuth_rad), std::cos(zenith)};

@@ -288,7 +288,11 @@ PathTerms BoundAirTable::path(Vec3 eye, Vec3 direction, double length_m) const n
     left_m = std::min(left_m, std::max(0.0, way_up_to_m(in->eye, frame.top_m)));
     end.height_m = frame.top_m;
   }
-  const double measure = air_measure_m(in->eye.height_m, end.height_m, left_m);
+  // Deep inside the earth the measure grows beyond bounds; a valley below the scene's ground may
+  // lie a little beyond the whole way.
+  const double most = 2.0 * way.measure_m + measure_scale_m;
+  double measure = air_measure_m(in->eye.height_m, end.height_m, left_m);
+  if (!(measure < most)) measure = most;
   const double share = measure < way.measure_m ? measure / way.measure_m : 1.0;
   LaneBuffer extinction, source;
   clear(extinction, frame.padded());

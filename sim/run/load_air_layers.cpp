@@ -103,6 +103,7 @@ atmosphere::AirSettings settings_of(const LayeredAir& input) {
   atmosphere::AirSettings settings;
   settings.mode = input.mode;
   settings.streams = input.streams;
+  settings.term_tolerance = input.gas_tolerance;
   return settings;
 }
 

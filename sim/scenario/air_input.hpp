@@ -40,6 +40,7 @@ struct LayeredAir {
   std::optional<std::filesystem::path> sounding;  ///< the profile continues it
   atmosphere::AirMode mode = atmosphere::AirMode::accurate;
   int streams = 8;
+  double gas_tolerance = 5e-4;  ///< of transmittance
   ColumnInput water_vapour;  ///< g cm^-2
   ColumnInput ozone;         ///< Dobson units
   double co2_ppm = 420.0;

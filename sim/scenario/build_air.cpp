@@ -113,6 +113,7 @@ LayeredAir build_layered(const BuildContext& context, const CheckedElement& elem
   const bool fast = element.value<std::string>("mode") == "fast";
   air.mode = fast ? atmosphere::AirMode::fast : atmosphere::AirMode::accurate;
   air.streams = element.value<int>("streams");
+  air.gas_tolerance = element.number("gas_tolerance");
   if (air.streams % 2 != 0) {
     context.mistake(element.where("streams"),
                     fmt::format("streams is {}, expected an even number", air.streams));

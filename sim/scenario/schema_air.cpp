@@ -36,8 +36,7 @@ ElementType layered() {
            optional(
                "sounding", PathType{{".csv"}}, "", "the profile alone",
                "Measured air: columns height_m, pressure_hpa, temperature_k or temperature_c, and "
-               "one "
-               "of relative_humidity_percent, dewpoint_c, mixing_ratio_g_kg or h2o_ppmv. Other "
+               "one of relative_humidity_percent, dewpoint_c, mixing_ratio_g_kg or h2o_ppmv. Other "
                "gases, and the air above it, are the profile's; see docs/air-gases.md."),
            defaulted("mode", EnumerationType{{"accurate", "fast"}}, "", "accurate",
                      "accurate: discrete ordinates. fast: single scattering plus a source from "
@@ -45,6 +44,9 @@ ElementType layered() {
            defaulted("streams", IntegerType{4, 64}, "", "8",
                      "Directions of the accurate mode, an even number: 8 for about 1 %, 16 for "
                      "0.2 %."),
+           defaulted("gas_tolerance", from_to(1e-5, 0.1), "", "0.0005",
+                     "Of transmittance: how well few exponentials, each a lane of its own, must "
+                     "stand for the lines of gases. Looser is faster; see docs/air-gases.md."),
            optional("water_vapour_g_cm2", from_to(0.0, 20.0), "g cm^-2", "as in the profile",
                     "Of the whole column above the site; the profile's vapour is scaled to it, but "
                     "stays below saturation."),

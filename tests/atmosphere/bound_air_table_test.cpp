@@ -361,6 +361,15 @@ TEST_CASE("air that does nothing leaves the sky as it is", "[atmosphere][table]"
   }
 }
 
+TEST_CASE("a way that runs on through the earth stays finite", "[atmosphere][table]") {
+  const BoundAirTable table = bound(even_air().table());
+  for (const double length_m : {2e3, 1e5, 6e6, 1e8, 1e300}) {
+    const PathTerms terms = table.path({0.0, 0.0, 1e3}, {0.0, 0.0, -1.0}, length_m);
+    CHECK(std::isfinite(terms.transmittance[0]));
+    CHECK(std::isfinite(terms.radiance[0]));
+  }
+}
+
 TEST_CASE("bodies shine through the transmittance of the table", "[atmosphere][table]") {
   const SyntheticAir air = even_air();
   const BoundAirTable table = bound(air.table());
