@@ -1,17 +1,25 @@
 // Time and error of air tables, a row a setting: a day over 60 wavelengths from 0.4 to 2.45 um,
-// seen from space, against a table with many streams, terms and nodes. Error: rms over wavelengths
-// and directions, relative, of the sky and of what is seen of a ground of albedo 0.2.
+// seen from space, against a table with many streams, layers, terms and nodes. Error: rms over
+// wavelengths and directions, relative, of the sky and of what is seen of a ground of albedo 0.2.
+// Times: on the clock, and of the processor in all threads. One thing at a time differs from the
+// default.
 //
-//   air_tables [folder of library/atmosphere]
+//   air_tables [--csv] [folder of library/atmosphere]
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <ctime>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "atmosphere/gases/gas_absorption.hpp"
 #include "atmosphere/layered.hpp"
+#include "atmosphere/make/levels.hpp"
+#include "atmosphere/make/table_job.hpp"
 #include "atmosphere/table/bound_air_table.hpp"
 #include "core/error.hpp"
 #include "sim/files/band_tables.hpp"
@@ -56,8 +64,8 @@ Day make_day(const std::string& folder, int count) {
 }
 
 struct Made {
-  double seconds = 0.0, interpolation = 0.0;
-  std::size_t lanes = 0;
+  double seconds = 0.0, cpu_seconds = 0.0, interpolation = 0.0;
+  std::size_t lanes = 0, layers = 0;
   std::vector<double> seen;  // [wavelength][direction]
 };
 
@@ -94,13 +102,88 @@ std::vector<double> look(const Day& day, const std::shared_ptr<const AirTable>& 
   return seen;
 }
 
-Made make(const Day& day, const AirSettings& settings) {
+/// The default levels with `factor` times as many layers: 1/2, 1/3, ... leave levels out, 2 cuts
+/// each layer in half.
+std::vector<double> levels_of(const Day& day, double factor) {
+  const auto standard = column_levels_m(day.air.profile, day.air.aerosol, {}, 0.0);
+  const auto step = static_cast<std::size_t>(std::lround(std::max(1.0, 1.0 / factor)));
+  std::vector<double> levels;
+  for (std::size_t k = 0; k + 1 < standard.size(); k += step) {
+    levels.push_back(standard[k]);
+    if (factor > 1.0) levels.push_back(0.5 * (standard[k] + standard[k + 1]));
+  }
+  levels.push_back(standard.back());
+  return levels;
+}
+
+struct Table {
+  std::vector<SplitLane> lanes;
+  std::shared_ptr<const AirTable> table;
+};
+
+/// What make_air_table does, on other levels.
+Table on_levels(const Day& day, const AirSettings& settings, const std::vector<double>& levels) {
+  const GasAbsorption gases{day.air.gases, day.air.profile, levels};
+  const Particles particles{day.air.particles, day.air.aerosol, {}, levels};
+  const auto rayleigh = std::make_shared<const PhaseFunction>(PhaseFunction::rayleigh(0.0279));
+  Table made;
+  TableJob job;
+  std::vector<std::vector<double>> depths;
+  for (std::size_t i = 0; i < day.wavelengths.size(); ++i) {
+    spectral::AbsorptionLane lane = day.intervals[i];
+    for (const AbsorptionTerm& term :
+         gases.terms(Micrometres{lane.lo_um}, Micrometres{lane.hi_um}, settings.term_tolerance)) {
+      made.lanes.push_back({static_cast<int>(i), lane, term.weight});
+      job.lanes.push_back({day.wavelengths[i].value, lane, term.weight});
+      depths.push_back(term.depth);
+      ++lane.term;
+    }
+  }
+  job.settings = settings;
+  job.level_m = levels;
+  job.column = [&](std::size_t lane) {
+    const Micrometres wavelength{job.lanes[lane].wavelength_um};
+    OpticalColumn column{levels, {}, depths[lane], {{gases.rayleigh_depth(wavelength), rayleigh}}};
+    for (const double z : levels) {
+      column.level_temperature_k.push_back(level_at(day.air.profile, z).temperature_k);
+    }
+    for (int k = 0; k < particles.kinds(); ++k) {
+      const KindOptics optics = particles.optics(k, wavelength);
+      column.kinds.push_back({particles.depth_550(k), optics.phase});
+      for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+        column.absorption[i] += column.kinds.back().scattering[i] * optics.absorption;
+        column.kinds.back().scattering[i] *= optics.scattering;
+      }
+    }
+    return column;
+  };
+  job.bodies = {{"sun", day.sun[0].direction_enu, day.sun[0].angular_radius,
+                 std::vector<double>(job.lanes.size(), 1000.0)}};
+  job.airglow = job.starlight = job.urban_glow = std::vector<double>(job.lanes.size(), 0.0);
+  made.table = std::make_shared<const AirTable>(filled_table(job));
+  return made;
+}
+
+/// @param layers  times as many as by default; 1: by the product's own way
+Made make(const Day& day, const AirSettings& settings, double layers = 1.0) {
   const auto start = std::chrono::steady_clock::now();
-  const auto lanes = split_lanes(day.air, settings, day.wavelengths, day.intervals);
-  const auto table = std::make_shared<const AirTable>(
-      make_air_table(day.air, settings, lanes, day.wavelengths, day.sun));
+  const std::clock_t cpu = std::clock();
+  Table made;
+  if (layers == 1.0) {
+    made.lanes = split_lanes(day.air, settings, day.wavelengths, day.intervals);
+    made.table = std::make_shared<const AirTable>(
+        make_air_table(day.air, settings, made.lanes, day.wavelengths, day.sun));
+  } else {
+    made = on_levels(day, settings, levels_of(day, layers));
+  }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  return {time.count(), table->interpolation_error, lanes.size(), look(day, table, lanes)};
+  const double cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  return {time.count(),
+          cpu_seconds,
+          made.table->interpolation_error,
+          made.lanes.size(),
+          levels_of(day, layers).size() - 1,
+          look(day, made.table, made.lanes)};
 }
 
 double rms(const Made& made, const Made& reference) {
@@ -113,10 +196,30 @@ double rms(const Made& made, const Made& reference) {
   return std::sqrt(sum / static_cast<double>(made.seen.size()));
 }
 
-void row(const char* name, const Made& made, const Made& reference) {
-  std::printf("%-28s %6zu %9.1f %11.5f %13.5f\n", name, made.lanes, 1e3 * made.seconds,
-              rms(made, reference), made.interpolation);
-}
+/// Prints a row a table: for people, or as CSV.
+class Rows {
+ public:
+  Rows(bool csv, Made reference) : csv_{csv}, reference_{std::move(reference)} {
+    if (csv_) {
+      std::printf("family,value,lanes,layers,ms,cpu_ms,rms_error,interpolation_error\n");
+    } else {
+      std::printf("%-24s %6s %6s %8s %8s %10s %13s\n", "setting", "lanes", "layers", "ms", "CPU ms",
+                  "rms error", "interpolation");
+    }
+    add("reference", "", reference_);
+  }
+  void add(const std::string& family, const std::string& value, const Made& made) const {
+    const char* format = csv_ ? "%s,%s,%zu,%zu,%.1f,%.1f,%.6f,%.5f\n"
+                              : "%-15s %-8s %6zu %6zu %8.1f %8.1f %10.5f %13.5f\n";
+    std::printf(format, family.c_str(), value.c_str(), made.lanes, made.layers, 1e3 * made.seconds,
+                1e3 * made.cpu_seconds, rms(made, reference_), made.interpolation);
+    std::fflush(stdout);
+  }
+
+ private:
+  bool csv_;
+  Made reference_;
+};
 
 AirSettings base() {
   AirSettings s;
@@ -124,38 +227,48 @@ AirSettings base() {
   return s;
 }
 
-int run(const std::string& folder) {
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%g", value);
+  return buffer;
+}
+
+int run(const std::string& folder, bool csv) {
   const Day one = make_day(folder, 1), day = make_day(folder, 60);
   AirSettings fine = base();
   fine.streams = 24;
   fine.term_tolerance = 1e-4;
   fine.zenith_nodes = fine.azimuth_nodes = 37;
   fine.share_nodes = 24;
-  const Made reference = make(day, fine);
-  std::printf("%-28s %6s %9s %11s %13s\n", "setting", "lanes", "ms", "rms error", "interpolation");
-  row("reference", reference, reference);
-  Made warm = make(one, base());
-  warm = make(one, base());
-  std::printf("%-28s %6zu %9.1f\n", "one wavelength, default", warm.lanes, 1e3 * warm.seconds);
-  row("default", make(day, base()), reference);
+  const Rows rows{csv, make(day, fine, 2.0)};
+  if (!csv) {
+    Made warm = make(one, base());
+    warm = make(one, base());
+    std::printf("%-24s %6zu %6zu %8.1f %8.1f\n", "one wavelength, default", warm.lanes, warm.layers,
+                1e3 * warm.seconds, 1e3 * warm.cpu_seconds);
+  }
+  rows.add("default", "", make(day, base()));
   AirSettings s = base();
   s.mode = AirMode::fast;
-  row("fast", make(day, s), reference);
-  for (const int streams : {4, 16}) {
+  rows.add("fast", "2", make(day, s));
+  for (const int streams : {4, 6, 12, 16}) {
     s = base();
     s.streams = streams;
-    row(("streams " + std::to_string(streams)).c_str(), make(day, s), reference);
+    rows.add("streams", std::to_string(streams), make(day, s));
   }
-  for (const double tolerance : {1e-2, 2e-3, 1e-4}) {
+  for (const double factor : {0.25, 0.5, 2.0}) {
+    rows.add("layers", text(factor), make(day, base(), factor));
+  }
+  for (const double tolerance : {1e-2, 5e-3, 2e-3, 1e-3, 2e-4, 1e-4}) {
     s = base();
     s.term_tolerance = tolerance;
-    row(("term tolerance " + std::to_string(tolerance)).c_str(), make(day, s), reference);
+    rows.add("term tolerance", text(tolerance), make(day, s));
   }
-  for (const int nodes : {6, 24}) {
+  for (const int nodes : {3, 6, 10, 24}) {
     s = base();
     s.zenith_nodes = s.azimuth_nodes = nodes + 1;
-    s.share_nodes = nodes * 5 / 6;
-    row(("nodes " + std::to_string(nodes)).c_str(), make(day, s), reference);
+    s.share_nodes = std::max(3, nodes * 5 / 6);
+    rows.add("nodes", std::to_string(nodes + 1), make(day, s));
   }
   return 0;
 }
@@ -165,7 +278,9 @@ int run(const std::string& folder) {
 
 int main(int argc, char** argv) {
   try {
-    return nadir::run(argc > 1 ? argv[1] : "scenes/library/atmosphere");
+    const bool csv = argc > 1 && std::strcmp(argv[1], "--csv") == 0;
+    const int folder = csv ? 2 : 1;
+    return nadir::run(argc > folder ? argv[folder] : "scenes/library/atmosphere", csv);
   } catch (const nadir::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
