@@ -1,6 +1,7 @@
 #include "atmosphere/atmosphere.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "spectral/coverage.hpp"
 #include "spectral/planck.hpp"
@@ -27,6 +28,7 @@ BoundAtmosphere::BoundAtmosphere(const Atmosphere& atmosphere, const Lanes& lane
       path_{Spectrum{lanes.count(), 1.0F}, Spectrum{lanes.count()}} {
   if (const auto* tabulated = std::get_if<Tabulated>(&atmosphere)) {
     table_.emplace(tabulated->table, tabulated->ground, lanes);
+    views_ = !tabulated->table->views.empty();
   }
   const auto* uniform = std::get_if<Uniform>(&atmosphere);
   if (uniform == nullptr) return;
@@ -50,6 +52,11 @@ Spectrum BoundAtmosphere::sky(Vec3 direction_enu) const noexcept {
 
 Spectrum BoundAtmosphere::direct_transmittance(Vec3 direction_enu) const noexcept {
   return table_ ? table_->direct_transmittance(direction_enu) : direct_;
+}
+
+Spectrum BoundAtmosphere::disc_transmittance(Vec3 eye, Vec3 direction) const noexcept {
+  if (!views_) return direct_transmittance(direction);
+  return table_->path(eye, direction, std::numeric_limits<double>::infinity()).transmittance;
 }
 
 PathTerms BoundAtmosphere::path(Vec3 eye, Vec3 direction, double length_m) const noexcept {

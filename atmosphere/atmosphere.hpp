@@ -60,6 +60,9 @@ class BoundAtmosphere {
   [[nodiscard]] bool even_sky() const noexcept { return !table_ && shape_ == SkyShape::even; }
   /// Share of a body's irradiance that reaches a surface.
   [[nodiscard]] spectral::Spectrum direct_transmittance(Vec3 direction_enu) const noexcept;
+  /// Share of a body's radiance that reaches the sensor's eye when it looks at the disc itself:
+  /// that of what air lies before it there, nothing of it where the ray misses the air. Scene axes.
+  [[nodiscard]] spectral::Spectrum disc_transmittance(Vec3 eye, Vec3 direction) const noexcept;
   /// The way from the sensor's eye to a surface, `length_m` along a unit direction; scene axes.
   [[nodiscard]] PathTerms path(Vec3 eye, Vec3 direction, double length_m) const noexcept;
   /// What arrives at the sensor's eye from a direction in which it sees nothing of the scene.
@@ -72,6 +75,7 @@ class BoundAtmosphere {
   spectral::Spectrum direct_;
   PathTerms path_;
   std::optional<BoundAirTable> table_;  // in place of all others
+  bool views_ = false;                  // the table knows the air before the sensor
 };
 
 }  // namespace nadir::atmosphere

@@ -1,7 +1,10 @@
 #include "atmosphere/layered.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "atmosphere/make/columns.hpp"
 #include "atmosphere/make/table_job.hpp"
@@ -34,32 +37,6 @@ std::vector<double> at_lanes(const Curve& curve, const std::vector<AirTable::Lan
   return values;
 }
 
-/// The absorption of every lane, from the terms of its wavelength.
-std::vector<std::vector<double>> gas_depths(const ColumnMaker& maker, const AirSettings& settings,
-                                            const std::vector<AirTable::Lane>& lanes) {
-  std::vector<std::vector<double>> depths;
-  depths.reserve(lanes.size());
-  std::vector<AbsorptionTerm> terms;
-  for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const AirTable::Lane& lane = lanes[i];
-    const AirTable::Lane& before = lanes[i > 0 ? i - 1 : 0];
-    const bool same = i > 0 && before.wavelength_um == lane.wavelength_um &&
-                      before.absorption.lo_um == lane.absorption.lo_um &&
-                      before.absorption.hi_um == lane.absorption.hi_um;
-    if (!same) {
-      terms =
-          maker.terms(lane.absorption, Micrometres{lane.wavelength_um}, settings.term_tolerance);
-    }
-    const auto term = static_cast<std::size_t>(lane.absorption.term);
-    if (lane.absorption.term < 0 || term >= terms.size()) {
-      throw InputError("the air has no absorption term " + std::to_string(lane.absorption.term) +
-                       " at " + std::to_string(lane.wavelength_um) + " um");
-    }
-    depths.push_back(terms[term].depth);
-  }
-  return depths;
-}
-
 std::vector<TableJob::Body> job_bodies(const ephemeris::Illumination& bodies,
                                        const std::vector<AirTable::Lane>& lanes) {
   std::vector<TableJob::Body> made;
@@ -76,13 +53,18 @@ std::vector<SplitLane> split_lanes(const Layered& air, const AirSettings& settin
                                    const std::vector<Micrometres>& wavelengths,
                                    const std::vector<AbsorptionLane>& of) {
   const ColumnMaker maker{air, wavelengths};
+  const auto interval = [&](std::size_t i) { return i < of.size() ? of[i] : AbsorptionLane{}; };
+  std::vector<std::vector<AbsorptionTerm>> terms(wavelengths.size());
+  tbb::parallel_for(std::size_t{0}, wavelengths.size(), [&](std::size_t i) {
+    terms[i] = maker.terms(interval(i), wavelengths[i], settings.term_tolerance);
+  });
   std::vector<SplitLane> lanes;
   for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-    AbsorptionLane absorption = i < of.size() ? of[i] : AbsorptionLane{};
-    const auto terms = maker.terms(absorption, wavelengths[i], settings.term_tolerance);
-    for (std::size_t t = 0; t < terms.size(); ++t) {
+    AbsorptionLane absorption = interval(i);
+    for (std::size_t t = 0; t < terms[i].size(); ++t) {
       absorption.term = static_cast<int>(t);
-      lanes.push_back({static_cast<int>(i), absorption, terms[t].weight});
+      lanes.push_back(
+          {static_cast<int>(i), absorption, terms[i][t].weight, std::move(terms[i][t].depth)});
     }
   }
   return lanes;
@@ -98,17 +80,21 @@ AirTable make_air_table(const Layered& air, const AirSettings& settings,
   job.level_m = maker.levels_m();
   for (const SplitLane& lane : lanes) {
     const auto source = static_cast<std::size_t>(lane.source);
+    if (lane.gas_depth.size() + 1 != job.level_m.size()) {
+      throw InputError("expected lanes as they were split for this air");
+    }
     job.lanes.push_back({wavelengths.at(source).value, lane.absorption, lane.weight});
   }
-  const auto depths = gas_depths(maker, settings, job.lanes);
   job.column = [&](std::size_t lane) {
-    return maker.column(Micrometres{job.lanes[lane].wavelength_um}, depths[lane]);
+    return maker.column(Micrometres{job.lanes[lane].wavelength_um}, lanes[lane].gas_depth);
   };
   job.bodies = job_bodies(bodies, job.lanes);
   job.airglow = at_lanes(air.night.airglow, job.lanes, "the airglow");
   job.starlight = at_lanes(air.night.starlight, job.lanes, "the starlight");
   job.urban_glow = at_lanes(air.night.urban_glow, job.lanes, "the urban glow");
-  return filled_table(job, counts);
+  AirTable table = filled_table(job, counts);
+  check(table);
+  return table;
 }
 
 }  // namespace nadir::atmosphere

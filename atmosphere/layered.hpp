@@ -46,6 +46,8 @@ struct SplitLane {
   int source = 0;  ///< which of the wavelengths asked for
   spectral::AbsorptionLane absorption;
   double weight = 1.0;
+  /// Vertical optical depth of all gases by layer of the air that it was split for.
+  std::vector<double> gas_depth{};
 };
 /// @param wavelengths  ascending; absorption(i) holds the interval
 [[nodiscard]] std::vector<SplitLane> split_lanes(const Layered& air, const AirSettings& settings,

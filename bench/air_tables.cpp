@@ -256,7 +256,7 @@ int run(const std::string& folder, bool csv) {
     s.streams = streams;
     rows.add("streams", std::to_string(streams), make(day, s));
   }
-  for (const double factor : {0.25, 0.5, 2.0}) {
+  for (const double factor : {1.0 / 3.0, 0.5, 2.0}) {
     rows.add("layers", text(factor), make(day, base(), factor));
   }
   for (const double tolerance : {1e-2, 5e-3, 2e-3, 1e-3, 2e-4, 1e-4}) {

@@ -286,7 +286,10 @@ void GenericSolver::add_sky(const Ray& ray, const Arrival& arrival, SpectrumSum&
     if (!target.covers(ray.direction)) continue;
     const double density = arrival.lights.density;
     const double share = density > 0.0 ? density / (density + 1.0 / target.solid_angle) : 1.0;
-    sum.add_product(arrival.factor, target.radiance, share * arrival.direct_share);
+    const Spectrum disc = arrival.at_sensor
+                              ? target.outside * air.disc_transmittance(ray.origin, ray.direction)
+                              : target.radiance;
+    sum.add_product(arrival.factor, disc, share * arrival.direct_share);
   }
 }
 

@@ -29,12 +29,12 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
     // Their ratio is 1 + 5e-6 for the sun, but 1.17 for a disc of 45 degrees.
     const auto spread = static_cast<float>(2.0 / (1.0 + cos_radius));
     const double disc = std::numbers::pi * sin_radius * sin_radius;
-    Spectrum irradiance =
-        spectral::mean_at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance") *
-        air.direct_transmittance(body.direction_enu);
-    Spectrum radiance = irradiance * static_cast<float>(1.0 / disc);
+    const auto per_disc = static_cast<float>(1.0 / disc);
+    const Spectrum outside =
+        spectral::mean_at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance");
+    const Spectrum irradiance = outside * air.direct_transmittance(body.direction_enu);
     targets.push_back({body.direction_enu, sin_radius, cos_radius, disc * 2.0 / (1.0 + cos_radius),
-                       irradiance * spread, radiance});
+                       irradiance * spread, irradiance * per_disc, outside * per_disc});
   }
   return targets;
 }

@@ -46,7 +46,9 @@ struct Target {
   double cos_radius = 1.0;
   double solid_angle = 0.0;       ///< of the whole disc, sr
   spectral::Spectrum irradiance;  ///< at the surface: disc radiance times solid angle, W m^-2 um^-1
-  spectral::Spectrum radiance;    ///< of the disc, through the air, W m^-2 sr^-1 um^-1
+  spectral::Spectrum radiance;    ///< of the disc as surfaces see it, through the air, W m^-2 sr^-1
+                                  ///< um^-1
+  spectral::Spectrum outside;     ///< of the disc outside the air
 
   /// Whether a unit direction meets the part of the disc that is above the horizon.
   [[nodiscard]] bool covers(Vec3 towards) const noexcept {

@@ -118,13 +118,17 @@ void PathSolver::add_sky(Walk& walk) const {
   const Vec3 towards = walk.ray.direction;
   const atmosphere::BoundAtmosphere& air = scene_->air();
   // Only the sensor's own ray has the sensor's air before it.
-  const Spectrum sky = walk.bounces == 0 ? air.beyond(walk.ray.origin, towards) : air.sky(towards);
+  const Vec3 eye = walk.ray.origin;
+  const bool at_sensor = walk.bounces == 0;
+  const Spectrum sky = at_sensor ? air.beyond(eye, towards) : air.sky(towards);
   walk.radiance->add(sky * walk.throughput);
   for (const Target& target : scene_->targets()) {
     if (!target.covers(towards)) continue;
     // Balance heuristic against the ray that is sent to every disc.
     const double share = walk.pdf > 0.0 ? walk.pdf / (walk.pdf + 1.0 / target.solid_angle) : 1.0;
-    walk.radiance->add(target.radiance * walk.throughput, share);
+    const Spectrum disc =
+        at_sensor ? target.outside * air.disc_transmittance(eye, towards) : target.radiance;
+    walk.radiance->add(disc * walk.throughput, share);
   }
 }
 

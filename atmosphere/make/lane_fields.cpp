@@ -105,7 +105,8 @@ LaneFields::Beam make_beam(std::size_t body, double irradiance, const BodyPlace&
   for (const double depth : slant_depths(shells.level_m, scaled_depth, place.mu0)) {
     beam.transmittance.push_back(std::exp(-depth));
   }
-  if (place.mu0 < low_mu0) beam.local = LocalBody{shells, scaled_depth, place.mu0};
+  beam.local_share = local_share(place.mu0);
+  if (beam.local_share > 0.0) beam.local = LocalBody{shells, scaled_depth, place.mu0};
   return beam;
 }
 

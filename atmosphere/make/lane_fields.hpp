@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "atmosphere/layered.hpp"
+#include "atmosphere/make/local_body.hpp"
 #include "atmosphere/make/view_paths.hpp"
 #include "atmosphere/optical_column.hpp"
 #include "atmosphere/transfer/scattered_source.hpp"
@@ -31,22 +32,6 @@ struct SolveCounts {
   SolveCounts& operator+=(const SolveCounts& b);
 };
 
-/// Transmittance of the delta-scaled air towards a low body as its height over the local horizon
-/// changes along a path.
-class LocalBody {
- public:
-  LocalBody() = default;
-  LocalBody(const Shells& shells, const std::vector<double>& scaled_depth, double mu0);
-  [[nodiscard]] bool empty() const noexcept { return transmittance_.empty(); }
-  /// @param layer, top  a height, see StepEnd
-  [[nodiscard]] double transmittance(int layer, double top, double mu0) const noexcept;
-
- private:
-  double lowest_rad_ = 0.0;  // elevation
-  std::size_t levels_ = 0;
-  std::vector<double> transmittance_;  // [elevation][level]
-};
-
 /// Everything that light at one lane meets and does in the air, ready to be summed along paths.
 struct LaneFields {
   struct Beam {
@@ -57,6 +42,7 @@ struct LaneFields {
     std::size_t first_component = 0;
     std::vector<double> transmittance;  ///< of the scaled air, from outside to each level
     LocalBody local;                    ///< where the body stands low
+    double local_share = 0.0;           ///< of it in first scattering
     FieldFluxes fluxes;                 ///< per unit irradiance
   };
   static constexpr std::size_t even = 0, ground = 1;  ///< components; then the beams' modes
@@ -74,10 +60,6 @@ struct LaneFields {
   /// Adds what is scattered or emitted at a step's end to `into`, one value a component.
   void add_source(int layer, const StepEnd& end, std::vector<double>& into) const noexcept;
 };
-
-/// Bodies lower than this are followed along paths with their local height: where the air between
-/// them and the path turns by more than some hundredths.
-inline constexpr double low_mu0 = 0.2;
 
 [[nodiscard]] LaneFields lane_fields(const LaneInput& input, const Shells& shells,
                                      const std::vector<BodyPlace>& bodies,

@@ -74,13 +74,13 @@ class Writer {
       else if (depth > 0.0)
         even += straight / -std::expm1(-depth);
     }
-    view_.even[at.index] = not_negative(even + urban(path, at.share, depth));
+    view_.even[at.index] = not_negative(even + urban(path));
     view_.ground[at.index] = not_negative(value(light, LaneFields::ground, at.share));
     for (std::size_t b = 0; b < fields_.beams.size(); ++b) write_beam(light, b, at);
   }
 
   /// A town's glow as if its source were even along the way: of the right sum from the ground up.
-  [[nodiscard]] double urban(const ViewPath& path, std::size_t, double) const {
+  [[nodiscard]] double urban(const ViewPath& path) const {
     if (fields_.urban_glow <= 0.0) return 0.0;
     const double mu = std::abs(std::cos(path.zenith_rad));
     const double glow = fields_.urban_glow * urban_glow_shape(mu);
@@ -114,7 +114,9 @@ class Writer {
       const double* phase = phase_.data() + (b * shape_.azimuth_rad.size() + a) * kinds;
       double once = 0.0;
       for (std::size_t k = 0; k < kinds; ++k) once += first_[k] * phase[k];
-      if (!beam.local.empty()) smooth += value(light, light_.local(b, a), at.share) - once;
+      if (!beam.local.empty()) {
+        smooth += beam.local_share * (value(light, light_.local(b, a), at.share) - once);
+      }
       // Delta scaling may leave ripples below zero; not in the sum that is seen.
       smooth = std::max(smooth, -once);
       view_.smooth[(beam.body * shape_.azimuth_rad.size() + a) * places + at.index] =
@@ -127,7 +129,7 @@ class Writer {
     phase_.clear();
     for (const LaneFields::Beam& beam : fields_.beams) {
       for (const double azimuth : shape_.azimuth_rad) {
-        const double cosine = scattering_cosine(path.zenith_rad, azimuth, beam.place);
+        const double cosine = scattering_cosine(path.scene_zenith_rad(), azimuth, beam.place);
         for (const auto& phase : fields_.phases) phase_.push_back(phase->at(cosine));
       }
     }

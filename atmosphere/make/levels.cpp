@@ -12,9 +12,10 @@ namespace {
 
 constexpr double space_m = 100e3;  // above lies less than 1e-6 of the air
 constexpr double boundary_m = 2000.0;
+constexpr double lowest_m = 30.0;  // level views at the ground see the haze of the lowest layer
 
 /// Above the ground: the haze's region.
-constexpr std::array<double, 6> low_m{250.0, 500.0, 750.0, 1000.0, 1500.0, 2000.0};
+constexpr std::array<double, 7> low_m{100.0, 250.0, 500.0, 750.0, 1000.0, 1500.0, 2000.0};
 /// Above sea level. A layer holds at most a fifth of a scale height up to 10 km, a third up to 30
 /// km and two thirds above: what is lit there in twilight must thin out as the air does.
 constexpr std::array<double, 29> high_m{
@@ -55,6 +56,7 @@ std::vector<double> fixed_levels(const Aerosol& aerosol, const std::vector<Cloud
     if (depth > 2.0) {
       cut_region(fixed, ground_m, ground_m + boundary_m, smooth_part * depth);
     }
+    fixed.push_back(ground_m + lowest_m);
   }
   std::erase_if(fixed, [&](double z) { return z <= ground_m || z >= top_m; });
   fixed.push_back(ground_m);

@@ -1,8 +1,9 @@
+#include "atmosphere/make/local_body.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/make/lane_fields.hpp"
 #include "atmosphere/paths/spherical_path.hpp"
 
 namespace nadir::atmosphere {
@@ -10,7 +11,7 @@ namespace {
 
 // Steps of elevation as wide as the sun's disc: finer detail of the earth's shadow does not exist.
 constexpr double step_rad = 0.5 * std::numbers::pi / 180.0;
-// Paths reach 1150 km from the ground and twice that past the limb from the top of the air.
+// Paths reach 1150 km from the ground and twice that past the limb from high in the air.
 constexpr double reach_rad = 0.36;
 
 }  // namespace
@@ -41,6 +42,12 @@ double LocalBody::transmittance(int layer, double top, double mu0) const noexcep
   // Transmittance fades exponentially with depth; in the earth's shadow, linearly.
   if (lower > 1e-30 && upper > 1e-30) return lower * std::pow(upper / lower, top);
   return lower + top * (upper - lower);
+}
+
+double local_share(double mu0) noexcept {
+  constexpr double whole = 0.2, none = 0.25;
+  const double x = std::clamp((none - mu0) / (none - whole), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
 }
 
 }  // namespace nadir::atmosphere

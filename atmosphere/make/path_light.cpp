@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/transfer/mean_fade.hpp"
+
 namespace nadir::atmosphere {
 namespace {
-
-/// int_0^1 exp(-x s) ds
-double mean_fade(double x) noexcept {
-  return std::abs(x) < 1e-9 ? 1.0 - 0.5 * x : -std::expm1(-x) / x;
-}
 
 /// int_0^1 s exp(-x s) ds for x >= 0
 double mean_far(double x) noexcept {
@@ -135,7 +132,7 @@ PathSums PathLight::along(const ViewPath& path, std::size_t shares) const {
   Work work;
   for (const LaneFields::Beam& beam : fields_.beams) {
     for (const double azimuth : azimuths_rad_) {
-      const double cosine = scattering_cosine(path.zenith_rad, azimuth, beam.place);
+      const double cosine = scattering_cosine(path.scene_zenith_rad(), azimuth, beam.place);
       for (const auto& phase : fields_.phases) {
         work.phase.push_back(beam.local.empty() ? 0.0 : phase->at(cosine));
       }

@@ -52,6 +52,7 @@ class PathLight {
 };
 
 /// Cosine of the angle between a direction looked in and a body.
+/// @param zenith_rad  of the direction, over where the body's place is given; see ViewPath
 [[nodiscard]] double scattering_cosine(double zenith_rad, double azimuth_rad,
                                        const BodyPlace& body) noexcept;
 

@@ -30,23 +30,28 @@ Point point(int i) {
   return {part(1.0 / g), part(1.0 / (g * g)), part(1.0 / (g * g * g))};
 }
 
-/// A way to be looked up and summed directly.
+/// A way to be looked up and summed directly, in scene axes: the scene is the path's anchor.
 struct Ray {
   ViewPath path;
-  Vec3 direction;
+  Vec3 eye, direction;
   double length_m = 0.0;
   double azimuth_rad = 0.0;
 };
 
-/// Where along a way the probe looks: at what a scene has there. Downwards that is the ground and
-/// what rises from it; else anything, by someone near the ground, and the sky by someone high up.
+/// Where along a way the probe looks: at what a scene has there, the ground and what rises from it,
+/// or the sky.
 double probed_share(const Shells& shells, double height_m, double zenith_rad, double u) {
   constexpr double relief_m = 1500.0;
   const double over_ground_m = height_m - shells.ground_m();
   const PathPoint eye{height_m, std::cos(zenith_rad)};
-  const double end_m = shells.ground_m() + u * u * std::min(relief_m, over_ground_m);
-  const double way_m = way_down_to_m(eye, end_m);
-  if (way_m <= 0.0) return over_ground_m < relief_m ? std::max(u, 1e-3) : 1.0;
+  double end_m = shells.ground_m() + u * u * std::min(relief_m, over_ground_m);
+  double way_m = way_down_to_m(eye, end_m);
+  if (way_m <= 0.0) {
+    constexpr double open_sky = 0.7;
+    if (over_ground_m > relief_m || u > open_sky) return 1.0;
+    end_m = height_m + 1.0 + u * u * relief_m;
+    way_m = way_up_to_m(eye, end_m);
+  }
   const double whole_m = way_to_end_m(shells.top_m(), shells.ground_m(), height_m, eye.mu);
   const double whole = air_measure_m(height_m, advanced(eye, whole_m).height_m, whole_m);
   return air_measure_m(height_m, end_m, way_m) / whole;
@@ -63,8 +68,14 @@ Ray make_ray(const Shells& shells, double height_m, const Point& p, bool whole) 
   ray.azimuth_rad = 2.0 * pi * p.y;
   const double share = whole ? 1.0 : probed_share(shells, height_m, zenith, p.z);
   ray.path = view_path(shells, height_m, zenith, below ? Side::below : Side::above, {share, 1.0});
-  ray.direction = {std::sin(zenith) * std::sin(ray.azimuth_rad),
-                   std::sin(zenith) * std::cos(ray.azimuth_rad), std::cos(zenith)};
+  const Vec3 across{std::sin(ray.azimuth_rad), std::cos(ray.azimuth_rad), 0.0};
+  const double arc = ray.path.anchor_rad, scene_zenith = ray.path.scene_zenith_rad();
+  const double half = std::sin(0.5 * arc);
+  const double r = earth_radius_m + height_m;
+  ray.eye = across * (-r * std::sin(arc));
+  ray.eye.z = height_m - shells.ground_m() - 2.0 * r * half * half;
+  ray.direction = across * std::sin(scene_zenith);
+  ray.direction.z = std::cos(scene_zenith);
   for (const PathStep& step : ray.path.steps) {
     const auto k = static_cast<std::size_t>(step.layer);
     ray.length_m += step.slant * (shells.level_m[k] - shells.level_m[k + 1]);
@@ -112,22 +123,25 @@ double direct_sum(const LaneFields& fields, const AirTable& table, const Ray& ra
       sum += part.whole(beam.first_component + static_cast<std::size_t>(m), at) *
              std::cos(m * azimuths[beam.body]);
     }
-    if (!beam.local.empty()) {
-      sum += part.whole(light.local(b, beam.body), at);
-      continue;
-    }
-    const double cosine = scattering_cosine(ray.path.zenith_rad, azimuths[beam.body], beam.place);
+    const double cosine =
+        scattering_cosine(ray.path.scene_zenith_rad(), azimuths[beam.body], beam.place);
+    double once = 0.0;
     for (std::size_t k = 0; k < fields.phases.size(); ++k) {
-      sum += part.whole(light.first(b, k), at) * fields.phases[k]->at(cosine);
+      once += part.whole(light.first(b, k), at) * fields.phases[k]->at(cosine);
     }
+    if (!beam.local.empty()) {
+      once += beam.local_share * (part.whole(light.local(b, beam.body), at) - once);
+    }
+    sum += once;
   }
   return std::max(0.0, sum);
 }
 
 bool beside_a_body(const TableFiller& filler, const AirTable& table, const Ray& ray) {
   for (std::size_t b = 0; b < table.bodies.size(); ++b) {
-    const double cosine = scattering_cosine(
-        ray.path.zenith_rad, ray.azimuth_rad - table.bodies[b].azimuth_rad, filler.places()[b]);
+    const double cosine =
+        scattering_cosine(ray.path.scene_zenith_rad(),
+                          ray.azimuth_rad - table.bodies[b].azimuth_rad, filler.places()[b]);
     if (cosine > std::cos(near_body)) return true;
   }
   return false;
@@ -185,9 +199,9 @@ double ErrorProbe::view_error(const AirTable& table, const BoundAirTable& bound,
   for (int i = 0; i < directions; ++i) {
     const Ray ray = make_ray(filler_.shells(), height, point(i), whole);
     if (beside_a_body(filler_, table, ray) || ray.length_m <= 0.0) continue;
-    const Vec3 eye{0.0, 0.0, height - table.ground_m};
-    const spectral::Spectrum seen =
-        whole ? bound.sky(ray.direction) : bound.path(eye, ray.direction, ray.length_m).radiance;
+    const spectral::Spectrum seen = whole
+                                        ? bound.sky(ray.direction)
+                                        : bound.path(ray.eye, ray.direction, ray.length_m).radiance;
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       const int lane = static_cast<int>(k);
       const double g = static_cast<double>(ground[lane]);

@@ -8,8 +8,7 @@ namespace nadir::atmosphere {
 // the trapezoid rule over the sky's own nodes. Good to 2 % with 12 nodes and more for a sky without
 // sharp peaks.
 
-/// With the body above the horizon the narrow peak about it is not
-/// resolved.
+/// With the body above the horizon the narrow peak about it is not resolved.
 [[nodiscard]] double body_sky_flux(const LaneFields& fields, const ViewShape& shape,
                                    const LaneView& sky, const LaneFields::Beam& beam);
 

@@ -240,13 +240,12 @@ void TableFiller::put_body(std::size_t lane, const LaneFields& fields, const Lan
                            const LaneView& sky) {
   const double mu0 = std::max(0.0, beam.place.mu0);
   double down = beam.irradiance * (beam.transmittance.back() * mu0 + beam.fluxes.down_at_ground);
-  // A low body's sky is brighter on its side than a plane-parallel one; below the horizon nearly
-  // all of it is.
-  if (!beam.local.empty()) {
-    const double seen = body_sky_flux(fields, sky_, sky, beam);
-    down = beam.place.mu0 <= 0.0 ? seen : std::max(down, 0.0);
-  }
-  table_.bodies[beam.body].ground_irradiance[lane] = static_cast<float>(down);
+  // The column's flux takes all places of one height for alike; a set body's sky is far brighter on
+  // its side: the flux of the sky as tabulated then. Not above the horizon, where the peak about
+  // the body is too narrow for the sky's nodes.
+  if (beam.place.mu0 <= 0.0) down = body_sky_flux(fields, sky_, sky, beam);
+  // Behind opaque air the solver's rounding, 1e-16 of what goes in, may be all there is.
+  table_.bodies[beam.body].ground_irradiance[lane] = static_cast<float>(std::max(0.0, down));
 }
 
 void TableFiller::put_fluxes(std::size_t lane, const LaneFields& fields) {
@@ -256,7 +255,7 @@ void TableFiller::put_fluxes(std::size_t lane, const LaneFields& fields) {
   const double even = fields.thermal.down_at_ground +
                       fields.night_scattered * fields.sky.down_at_ground +
                       fields.urban_glow * urban_glow_flux();
-  table_.even_ground_irradiance[lane] = static_cast<float>(even);
+  table_.even_ground_irradiance[lane] = static_cast<float>(std::max(even, 0.0));
 }
 
 void TableFiller::put_phases(std::size_t lane, const LaneFields& fields) {

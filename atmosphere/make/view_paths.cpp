@@ -12,10 +12,20 @@ namespace {
 
 using std::numbers::pi;
 
+/// Of the angle between a line and the vertical.
+double sine_of(PathPoint p) { return std::sqrt(std::max(0.0, 1.0 - p.mu * p.mu)); }
+
+/// Whether an eye's place stands for all those above the air.
+bool at_top(const Shells& shells, double height_m) { return height_m >= shells.top_m() - 1.0; }
+
 /// A line of sight being cut.
 class Cutter {
  public:
-  Cutter(const Shells& shells, PathPoint start) : shells_{shells}, start_{start} {}
+  Cutter(const Shells& shells, PathPoint start, double anchor_rad)
+      : shells_{shells},
+        start_{start},
+        anchor_sine_{std::sin(anchor_rad)},
+        anchor_cosine_{std::cos(anchor_rad)} {}
 
   [[nodiscard]] StepEnd end(int layer, double way_m) const {
     const PathPoint p = advanced(start_, way_m);
@@ -25,9 +35,11 @@ class Cutter {
     e.top = std::clamp((p.height_m - lower) / (upper - lower), 0.0, 1.0);
     e.travel = shells_.directions.at(-p.mu);
     const double r = earth_radius_m + p.height_m;
-    const double sine = std::sqrt(std::max(0.0, 1.0 - start_.mu * start_.mu));
-    e.away = way_m * sine / r;
-    e.up = (earth_radius_m + start_.height_m + way_m * start_.mu) / r;
+    // Sine and cosine of the arc from the start.
+    const double away = way_m * sine_of(start_) / r;
+    const double up = (earth_radius_m + start_.height_m + way_m * start_.mu) / r;
+    e.away = away * anchor_cosine_ - up * anchor_sine_;
+    e.up = up * anchor_cosine_ + away * anchor_sine_;
     return e;
   }
 
@@ -40,7 +52,16 @@ class Cutter {
  private:
   const Shells& shells_;
   PathPoint start_;
+  double anchor_sine_, anchor_cosine_;
 };
+
+/// See ViewPath; `way_m` is the whole way.
+double anchor_arc(const Shells& shells, PathPoint start, double way_m, bool meets_ground) {
+  if (!at_top(shells, start.height_m) || start.mu >= 0.0) return 0.0;
+  const double r = earth_radius_m + start.height_m;
+  const double to_m = meets_ground ? way_m : -r * start.mu;
+  return std::atan2(to_m * sine_of(start), r + to_m * start.mu);
+}
 
 /// Way at which a share of the whole measure is used up. The measure grows along the way.
 double way_of_share(PathPoint start, double share, double way_m, double whole_m) {
@@ -125,7 +146,8 @@ ViewPath view_path(const Shells& shells, double height_m, double zenith_rad, Sid
     way_m = std::max(0.0, way_up_to_m(start, shells.top_m()));
   }
   path.measure_m = air_measure_m(height_m, advanced(start, way_m).height_m, way_m);
-  const Cutter cutter{shells, start};
+  path.anchor_rad = anchor_arc(shells, start, way_m, path.meets_ground);
+  const Cutter cutter{shells, start, path.anchor_rad};
   path.start_layer = layer_of(shells.level_m, height_m, mu < 0.0);
   path.start = cutter.end(path.start_layer, 0.0);
   path.start_density = air_measure_m(height_m, height_m, 1.0);
@@ -153,12 +175,12 @@ ViewPath view_path(const Shells& shells, double height_m, double zenith_rad, Sid
 ZenithAxis zenith_axis(const Shells& shells, double height_m, int nodes) {
   const double horizon = std::acos(horizon_mu(shells.ground_m(), height_m));
   ZenithAxis axis;
-  const bool at_top = height_m >= shells.top_m() - 1.0;
-  const double width = at_top ? horizon - 0.5 * pi : horizon;
-  const std::vector<double> x = from_horizon(width, at_top ? nodes - 1 : nodes);
-  if (at_top) axis.above.push_back(0.0);
+  const bool top = at_top(shells, height_m);
+  const double width = top ? horizon - 0.5 * pi : horizon;
+  const std::vector<double> x = from_horizon(width, top ? nodes - 1 : nodes);
+  if (top) axis.above.push_back(0.0);
   for (auto i = x.rbegin(); i != x.rend(); ++i) axis.above.push_back(horizon - *i);
-  if (!at_top) axis.above.front() = 0.0;
+  if (!top) axis.above.front() = 0.0;
   for (const double d : from_horizon(pi - horizon, nodes)) axis.below.push_back(horizon + d);
   axis.below.back() = pi;
   return axis;

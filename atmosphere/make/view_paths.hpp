@@ -11,8 +11,8 @@ namespace nadir::atmosphere {
 struct StepEnd {
   double top = 0.0;  ///< share of the layer's upper edge in this height; of the lower: 1 - top
   MuWeights travel;  ///< direction in which the light seen travels here
-  /// A body at zenith angle z0 over the start and azimuth phi from the path stands at
-  /// mu0 = away sin(z0) cos(phi) + up cos(z0) here.
+  /// Sine and cosine of the arc from the path's anchor to here: a body at zenith angle z0 over the
+  /// anchor and azimuth phi from the path stands at mu0 = away sin(z0) cos(phi) + up cos(z0) here.
   double away = 0.0, up = 1.0;
 };
 
@@ -26,7 +26,12 @@ struct PathStep {
 
 /// A line of sight, cut into steps, all that does not depend on wavelength.
 struct ViewPath {
-  double zenith_rad = 0.0;
+  double zenith_rad = 0.0;  ///< of the direction looked in, at the start
+  /// Arc about the earth's centre from the start to the anchor, the place that the scene's bodies
+  /// stand over. From the top of the air, where the eye may be anywhere above, that is what is
+  /// looked at: the path's end on the ground, or its lowest point. From within the air, near the
+  /// scene, it is the start.
+  double anchor_rad = 0.0;
   bool meets_ground = false;
   double measure_m = 0.0;  ///< of the whole way
   int start_layer = 0;
@@ -35,6 +40,9 @@ struct ViewPath {
   StepEnd start;
   std::size_t empty_shares = 0;  ///< nodes of share, the first ones, that lie at the start
   std::vector<PathStep> steps;
+
+  /// Zenith angle of the same direction over the anchor, where the bodies' places are given.
+  [[nodiscard]] double scene_zenith_rad() const noexcept { return zenith_rad - anchor_rad; }
 };
 
 /// The air's shells that paths run through.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "atmosphere/paths/spherical_path.hpp"
 #include "core/error.hpp"
@@ -113,9 +114,10 @@ void check_lanes(const std::vector<AirTable::Lane>& lanes) {
     }
     if (i == 0) continue;
     const AirTable::Lane& before = lanes[i - 1];
-    const bool next_term =
-        lane.wavelength_um == before.wavelength_um && lane.absorption.term > before.absorption.term;
-    if (!(lane.wavelength_um > before.wavelength_um || next_term)) {
+    const auto order = [](const AirTable::Lane& l) {
+      return std::tuple{l.wavelength_um, l.absorption.lo_um, l.absorption.hi_um, l.absorption.term};
+    };
+    if (!(order(before) < order(lane))) {
       refuse("lanes", "expected ascending wavelengths, found " + number_text(lane.wavelength_um) +
                           " um after " + number_text(before.wavelength_um) + " um");
     }

@@ -66,7 +66,7 @@ struct AirTable {
     [[nodiscard]] std::size_t places() const { return zenith_rad.size() * share.size(); }
   };
 
-  std::vector<Lane> lanes;             ///< ascending in wavelength, then in term
+  std::vector<Lane> lanes;             ///< ascending in wavelength, interval and term
   double top_m = 0.0, ground_m = 0.0;  ///< of the air; the ground that the scene stands on
   std::vector<Body> bodies;
   int kinds = 0;                   ///< of scatterers whose first scattering is kept apart

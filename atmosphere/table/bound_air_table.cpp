@@ -204,7 +204,6 @@ void add_views(const AirFrame& frame, const std::vector<BoundView>& views, doubl
 
 BoundAirTable::BoundAirTable(const std::shared_ptr<const AirTable>& table,
                              const GroundLight& ground, const spectral::Lanes& lanes) {
-  check(*table);
   auto bound = std::make_shared<Bound>();
   bound->frame = make_frame(*table, ground, lanes);
   const AirFrame& frame = bound->frame;

@@ -17,7 +17,8 @@ class BoundAirTable {
  public:
   /// Lanes that are split into absorption terms must be those of the table (wavelength, interval
   /// and term alike); other wavelengths are interpolated linearly among the table's.
-  /// @throws InputError where the table does not cover a lane, or is not a legal table
+  /// @param table  one that check() accepts
+  /// @throws InputError where the table does not cover a lane
   BoundAirTable(const std::shared_ptr<const AirTable>& table, const GroundLight& ground,
                 const spectral::Lanes& lanes);
 

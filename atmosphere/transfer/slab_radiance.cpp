@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/transfer/mean_fade.hpp"
+
 namespace nadir::atmosphere {
 namespace {
-
-/// (1 - exp(-z)) / z for z >= 0.
-double mean_fade(double z) noexcept { return z > 0.0 ? -std::expm1(-z) / z : 1.0; }
 
 /// int_0^1 x exp(-z x) dx
 double mean_moment(double z) noexcept {

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "atmosphere/transfer/mean_fade.hpp"
 #include "spectral/gauss_rule.hpp"
 
 namespace nadir::atmosphere {
 namespace {
 
 constexpr double series_below = 2.0;  // of kappa
-
-/// (1 - exp(-z)) / z for z >= 0.
-double mean_fade(double z) noexcept { return z > 0.0 ? -std::expm1(-z) / z : 1.0; }
 
 /// int exp(-rate x) (x - 1/2)^n dx over 0 to 1 for all n.
 template <std::size_t Count>

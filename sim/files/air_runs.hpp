@@ -30,10 +30,10 @@ struct AirRunSet {
   std::vector<AirRun> runs;
   std::optional<double> sun_zenith_rad;
   // Of the sun, by wavelength, empty where no run gives it; W m^-2 um^-1.
-  std::vector<double> sun_irradiance;     ///< outside the air, across the beam
-  std::vector<double> sun_transmittance;  ///< to the ground
+  std::vector<double> sun_irradiance;           ///< outside the air, across the beam
+  std::vector<double> sun_transmittance;        ///< to the ground
   std::vector<double> sun_transmittance_rough;  ///< used where there is no other
-  std::vector<double> ground_irradiance;  ///< direct and diffuse on a level, black ground
+  std::vector<double> ground_irradiance;        ///< direct and diffuse on a level, black ground
   std::vector<double> spherical_albedo;
   std::string made_by;
   std::vector<std::string> notes;

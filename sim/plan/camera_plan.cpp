@@ -124,6 +124,17 @@ void split(const CameraNodes& nodes, CameraPlan& plan) {
 
 }  // namespace
 
+WavelengthRange wavelength_range(const CameraPlan& plan) {
+  WavelengthRange range{Micrometres{1e300}, Micrometres{0.0}};
+  for (const ArrayPlan& array : plan.arrays) {
+    for (const auto& quadrature : array.quadratures) {
+      range.lo = std::min(range.lo, quadrature.wavelengths.front());
+      range.hi = std::max(range.hi, quadrature.wavelengths.back());
+    }
+  }
+  return range;
+}
+
 CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band) {
   CameraPlan plan;
   for (const sensor::DetectorArray& array : arrays) {

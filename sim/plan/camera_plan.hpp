@@ -22,6 +22,12 @@ struct CameraPlan {
   AirLanes air;
 };
 
+/// The least and the greatest wavelength at which anything is simulated.
+struct WavelengthRange {
+  Micrometres lo, hi;
+};
+[[nodiscard]] WavelengthRange wavelength_range(const CameraPlan& plan);
+
 /// The nodes of all bands and the part of its band that each stands for, each once; no lanes yet.
 [[nodiscard]] AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays,
                                  int wavelengths_per_band);

@@ -15,6 +15,7 @@ constexpr double dark_fraction = 0.005, white_fraction = 0.995;
 constexpr double dark_share = 0.9;  // the darkest thing of a scene is seldom black
 constexpr double most_dark = 0.7;   // of the white point; see the header
 constexpr double middle_grey = 0.18;
+constexpr double most_sky = 0.5;             // of the middle grey's say
 constexpr double most_exposure = 16.0;       // four stops: more would show mainly noise
 constexpr double natural_saturation = 1.25;  // restores about what the shoulder takes from grass
 constexpr std::array luminance_weight{0.2126, 0.7152, 0.0722};  // IEC 61966-2-1
@@ -44,27 +45,36 @@ double srgb_encoded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-std::vector<std::size_t> pixels_for_statistics(const ArrayImage& image,
-                                               const std::array<const BandImage*, 3>& channels) {
-  const std::vector<bool> surface = surface_pixels(image);
-  std::vector<std::size_t> pixels;
-  for (std::size_t i = 0; i < surface.size(); ++i) {
-    if (surface[i] && is_valid(channels, i)) pixels.push_back(i);
+/// Pixels with a value in all channels, by what they see.
+struct SeenPixels {
+  std::vector<std::size_t> surface, sky;
+
+  [[nodiscard]] double sky_share() const {
+    return static_cast<double>(sky.size()) / static_cast<double>(surface.size() + sky.size());
   }
-  return pixels;
+};
+
+SeenPixels seen_pixels(const ArrayImage& image, const std::array<const BandImage*, 3>& channels) {
+  const std::vector<bool> surface = surface_pixels(image);
+  SeenPixels seen;
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    if (is_valid(channels, i)) (surface[i] ? seen.surface : seen.sky).push_back(i);
+  }
+  return seen;
 }
 
 struct Limits {
   double dark = 0.0, white = 0.0;
 };
 
-Limits limits_of(const BandImage& band, const std::vector<std::size_t>& pixels) {
+Limits limits_of(const BandImage& band, const SeenPixels& seen) {
   std::vector<float> values;
-  values.reserve(pixels.size());
-  for (const std::size_t i : pixels) values.push_back(band.radiance[i]);
-  const double white = std::max(0.0, percentile(values, white_fraction));
-  const double dark = std::clamp(percentile(values, dark_fraction), 0.0, most_dark * white);
-  return {dark_share * dark, white};
+  values.reserve(seen.surface.size() + seen.sky.size());
+  for (const std::size_t i : seen.surface) values.push_back(band.radiance[i]);
+  const double surface_white = std::max(0.0, percentile(values, white_fraction));
+  const double dark = std::clamp(percentile(values, dark_fraction), 0.0, most_dark * surface_white);
+  for (const std::size_t i : seen.sky) values.push_back(band.radiance[i]);
+  return {dark_share * dark, std::max(surface_white, percentile(values, white_fraction))};
 }
 
 double median_luminance(const ToneCurve& curve, const std::array<const BandImage*, 3>& channels,
@@ -80,6 +90,16 @@ double median_luminance(const ToneCurve& curve, const std::array<const BandImage
     luminance.push_back(static_cast<float>(sum));
   }
   return percentile(luminance, 0.5);
+}
+
+/// What comes to middle grey: the geometric mean of ground and sky, by their shares of the picture.
+double middle_luminance(const ToneCurve& curve, const std::array<const BandImage*, 3>& channels,
+                        const SeenPixels& seen) {
+  const double ground = median_luminance(curve, channels, seen.surface);
+  const double share = std::min(most_sky, seen.sky_share());
+  if (share == 0.0 || !(ground > 0.0)) return ground;
+  const double sky = std::max(ground, median_luminance(curve, channels, seen.sky));
+  return std::pow(ground, 1.0 - share) * std::pow(sky, share);
 }
 
 }  // namespace
@@ -99,14 +119,14 @@ std::array<double, 3> ToneCurve::display(const std::array<double, 3>& radiance) 
 
 ToneCurve fit_tone_curve(const ArrayImage& image, const BandChoice& choice) {
   const auto channels = channels_of(image, choice);
-  const auto pixels = pixels_for_statistics(image, channels);
+  const SeenPixels seen = seen_pixels(image, channels);
   ToneCurve curve;
-  if (pixels.empty()) return curve;
+  if (seen.surface.empty()) return curve;
   if (choice.look == Look::natural_colour) curve.saturation = natural_saturation;
 
   std::array<double, 3> white{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const Limits limits = limits_of(*channels[c], pixels);
+    const Limits limits = limits_of(*channels[c], seen);
     const double sun =
         choice.look == Look::natural_colour ? sun_colour(channels[c]->centre_um) : 1.0;
     curve.dark[c] = limits.dark;
@@ -118,9 +138,9 @@ ToneCurve fit_tone_curve(const ArrayImage& image, const BandChoice& choice) {
     const double own = choice.look == Look::natural_colour ? common : white[c];
     if (own > 0.0) curve.gain[c] /= own;
   }
-  const double median = median_luminance(curve, channels, pixels);
+  const double middle = middle_luminance(curve, channels, seen);
   // Above 0 and below the white point; a picture whose median is black is shown as it is.
-  if (median > 0.0) curve.exposure = std::clamp(middle_grey / median, 1.0, most_exposure);
+  if (middle > 0.0) curve.exposure = std::clamp(middle_grey / middle, 1.0, most_exposure);
   return curve;
 }
 

@@ -34,17 +34,19 @@ struct ToneCurve {
   [[nodiscard]] std::array<double, 3> display(const std::array<double, 3>& radiance) const;
 };
 
-/// The curve for three bands, from robust percentiles of the pixels that see a surface (of all
-/// pixels, where hardly any does).
+/// The curve for three bands, from robust percentiles of the pixels that see a surface and, where
+/// the sky is in the picture, of those that see it.
 ///
-/// Dark point: 0.9 of each channel's 0.5th percentile takes off most of the air's path radiance,
-/// that is its blue cast; at most 0.63 of the 99.5th, so that a plain grey scene keeps its tone.
-/// White point: the highest of the channels' 99.5th percentiles, one for all three in natural
-/// colour, after division by the sun's colour (a black body of 5772 K, the nominal effective
-/// temperature of IAU 2015 resolution B3), so that what is grey in reflectance looks grey. In
-/// false colour each channel has its own.
-/// Exposure: the median luminance comes to 0.18 before the shoulder, the middle grey of
-/// photography; lifted 16 times at most.
+/// Dark point: 0.9 of each channel's 0.5th percentile over surfaces takes off most of the air's
+/// path radiance, that is its blue cast; at most 0.63 of their 99.5th, so that a plain grey scene
+/// keeps its tone. White point: the highest of the channels' 99.5th percentiles, over surfaces or
+/// over all pixels, whichever is more: a sky brighter than the ground is not burnt out, its sun is.
+/// One for all three in natural colour, after division by the sun's colour (a black body of 5772 K,
+/// the nominal effective temperature of IAU 2015 resolution B3), so that what is grey in
+/// reflectance looks grey. In false colour each channel has its own. Exposure: the median luminance
+/// comes to 0.18 before the shoulder, the middle grey of photography; lifted 16 times at most. With
+/// sky in the picture, it is the geometric mean of the medians of ground and sky, weighted by their
+/// shares of the picture, the sky's at most one half.
 [[nodiscard]] ToneCurve fit_tone_curve(const ArrayImage& image, const BandChoice& choice);
 
 /// Paints one band in grey, or three in colour, through the curve and the sRGB transfer function

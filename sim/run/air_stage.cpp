@@ -1,5 +1,7 @@
 #include "sim/run/air_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -7,6 +9,7 @@
 
 #include "atmosphere/make/lane_fields.hpp"
 #include "sim/files/hash.hpp"
+#include "sim/run/air_memory.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -31,13 +34,7 @@ std::string joined(const std::vector<std::string>& notes) {
 /// The wavelengths at which the ground is asked for. A table from elsewhere may reach far beyond
 /// the camera's bands, where no spectrum need be known: there it is as at the bands' edge.
 std::vector<Micrometres> ground_wavelengths(const AirTable& table, const CameraPlan& plan) {
-  Micrometres lo{1e300}, hi{0.0};
-  for (const ArrayPlan& array : plan.arrays) {
-    for (const auto& quadrature : array.quadratures) {
-      lo = std::min(lo, quadrature.wavelengths.front());
-      hi = std::max(hi, quadrature.wavelengths.back());
-    }
-  }
+  const auto [lo, hi] = wavelength_range(plan);
   std::vector<Micrometres> wavelengths;
   for (const AirTable::Lane& lane : table.lanes) {
     wavelengths.push_back(std::clamp(Micrometres{lane.wavelength_um}, lo, hi));
@@ -53,6 +50,17 @@ void describe_table(const AirTable& table, ReportValues& values) {
   values.emplace_back("notes", joined(table.notes));
 }
 
+// Less than that is not told from the model's own errors.
+constexpr double noticeable_error = 0.05;
+
+void warn_of_error(const AirTable& table, const SourceLocation& where, Diagnostics& diagnostics) {
+  if (!(table.interpolation_error > noticeable_error)) return;
+  warn_at(where,
+          fmt::format("the light of the air is interpolated to within {:.0f} % at worst",
+                      100.0 * table.interpolation_error),
+          diagnostics);
+}
+
 /// Computes the table of air in layers, or finds it in the cache.
 AirTable solve(const LayeredTask& task, const World& world, int wavelengths_per_band,
                const AirCacheOptions& cache, ReportValues& values, Diagnostics& diagnostics) {
@@ -63,6 +71,8 @@ AirTable solve(const LayeredTask& task, const World& world, int wavelengths_per_
   atmosphere::SolveCounts counts;  // stay 0 where the cache has the table
   const auto make = [&] {          // a kept table knows its lanes: only here are they split
     const AirLanes air = plan_camera(arrays, wavelengths_per_band, task.air, task.settings).air;
+    check_memory(world.camera,
+                 {air.lanes.size(), air_table_memory(task, air.lanes.size(), bodies.size())});
     return atmosphere::make_air_table(task.air, task.settings, air.lanes, air.wavelengths, bodies,
                                       &counts);
   };
@@ -127,6 +137,7 @@ ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics
       table = std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
     }
     describe_table(*table, values);
+    warn_of_error(*table, task.where, diagnostics);
     const CameraPlan plan = plan_camera(world.camera.arrays, sampling.wavelengths_per_band);
     auto ground =
         ground_light(world.scene, task.ground, ground_wavelengths(*table, plan), diagnostics);

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "atmosphere/paths/spherical_path.hpp"
+#include "sim/plan/camera_plan.hpp"
+#include "sim/run/check_air_bodies.hpp"
 #include "spectral/coverage.hpp"
 
 namespace nadir::sim {
@@ -14,13 +15,11 @@ namespace {
 
 using atmosphere::AirTable;
 
-// A table's light is that of its ground's height and its sun: 100 m of height are 1 % of the air,
-// half a degree of a sun at 30 degrees changes its light on level ground by 1.5 %.
+// A table's light is that of its ground's height: 100 m of height are 1 % of the air.
 constexpr double same_height_m = 100.0;
-constexpr double same_direction_deg = 0.5;
 
-[[noreturn]] void refuse(const SourceLocation& where, std::string message) {
-  throw InputError{InputIssue{where, std::move(message), {}, {}}};
+[[noreturn]] void refuse(const SourceLocation& where, std::string message, std::string hint = {}) {
+  throw InputError{InputIssue{where, std::move(message), std::move(hint), {}}};
 }
 
 void require_cover(const spectral::Curve& curve, const spectral::Lanes& lanes,
@@ -43,46 +42,11 @@ void check_camera(const Scenario& scenario, const geometry::Scene& scene, const 
         scenario.platform.where,
         fmt::format("the camera lies {:.1f} m below the height of the site, which is that of the "
                     "ground under the air",
-                    ground_m - height_m));
+                    ground_m - height_m),
+        "set the site's height to the lowest ground of the scene");
   }
   if (under_ground(scene, eye)) {
     refuse(scenario.platform.where, "the camera lies inside the ground");
-  }
-}
-
-Vec3 direction_of(const AirTable::Body& body) {
-  const double level = std::sin(body.zenith_rad);
-  return {level * std::sin(body.azimuth_rad), level * std::cos(body.azimuth_rad),
-          std::cos(body.zenith_rad)};
-}
-
-std::string place_text(Vec3 towards) {
-  double azimuth = to_degrees(Angle{std::atan2(towards.x, towards.y)});
-  if (azimuth < 0.0) azimuth += 360.0;
-  return fmt::format("elevation {:.2f}, azimuth {:.2f} deg",
-                     to_degrees(Angle{std::asin(std::clamp(towards.z, -1.0, 1.0))}), azimuth);
-}
-
-/// Every body that lights the scene must be one that the table was made for.
-void check_bodies(const AirTable& table, const ephemeris::Illumination& bodies,
-                  const SourceLocation& where) {
-  for (const ephemeris::LightSource& body : bodies) {
-    const bool dark = !(body.irradiance.max_value() > 0.0);
-    if (dark || body.direction_enu.z <= -std::sin(body.angular_radius.value)) continue;
-    double nearest = -1.0;
-    Vec3 found;
-    for (const AirTable::Body& known : table.bodies) {
-      const double cosine = dot(direction_of(known), body.direction_enu);
-      if (cosine <= nearest) continue;
-      nearest = cosine;
-      found = direction_of(known);
-    }
-    if (nearest >= std::cos(degrees(same_direction_deg).value)) continue;
-    refuse(where, fmt::format("the table of the air does not cover the {}'s place in the sky, {}: "
-                              "{}",
-                              body.name, place_text(body.direction_enu),
-                              table.bodies.empty() ? std::string{"it holds no body's light"}
-                                                   : "it was made for " + place_text(found)));
   }
 }
 
@@ -91,6 +55,22 @@ void check_place(const AirTable& table, double site_height_m, const SourceLocati
   refuse(where, fmt::format("the table of the air was made for ground {:.0f} m above the sea, the "
                             "site lies at {:.0f} m",
                             table.ground_m, site_height_m));
+}
+
+/// Eyes between a table's views get a blend of them, others the nearest view.
+void warn_of_height(const AirTable& table, double height_m, const SourceLocation& where,
+                    Diagnostics& diagnostics) {
+  if (table.views.empty()) return;
+  const double lo = table.views.front().height_m, hi = table.views.back().height_m;
+  const double looked_up_m = std::min(height_m, table.top_m);
+  if (looked_up_m >= lo - same_height_m && looked_up_m <= hi + same_height_m) return;
+  warn_at(
+      where,
+      fmt::format("the table of the air was made for a camera {} m above the sea; this one at "
+                  "{:.0f} m gets the air before it of the nearest of these heights",
+                  lo == hi ? fmt::format("{:.0f}", lo) : fmt::format("{:.0f} to {:.0f}", lo, hi),
+                  height_m),
+      diagnostics);
 }
 
 /// A body moved to where it is seen through the air.
@@ -116,13 +96,16 @@ double height_above_sea_m(Vec3 place, double ground_m) noexcept {
 
 void fit_air(const Scenario& scenario, const LoadedGeometry& geometry,
              const atmosphere::Atmosphere& air, ephemeris::Illumination& bodies,
-             const Camera& camera, AirTask& task) {
+             const Camera& camera, AirTask& task, Diagnostics& diagnostics) {
   const bool computed = std::holds_alternative<ComputedSky>(scenario.illumination);
   if (!task.layered) {
     const auto& table = *std::get<atmosphere::Tabulated>(air).table;
     check_place(table, scenario.origin.height_m, task.where);
-    check_bodies(table, bodies, task.where);
+    const CameraPlan plan = plan_camera(camera.arrays, scenario.sampling.wavelengths_per_band);
+    check_air_bodies(table, bodies, wavelength_range(plan), task.where);
     check_camera(scenario, geometry.scene, camera, table.ground_m);
+    warn_of_height(table, height_above_sea_m(camera.pose.position, table.ground_m), task.where,
+                   diagnostics);
     return;
   }
   LayeredTask& layered = *task.layered;

@@ -11,11 +11,12 @@ namespace nadir::sim {
 
 /// Sets what the air's table needs to know of the camera, and checks that air, scene and camera go
 /// together: a camera above the ground, a table that was made for this place and these bodies.
+/// Tells of a camera at a height that the table was not made for.
 /// Where the air refracts, sun and moon of the ephemeris are moved to where they are seen.
 /// @throws InputError located at the element that is wrong
 void fit_air(const Scenario& scenario, const LoadedGeometry& geometry,
              const atmosphere::Atmosphere& air, ephemeris::Illumination& bodies,
-             const Camera& camera, AirTask& task);
+             const Camera& camera, AirTask& task, Diagnostics& diagnostics);
 
 /// Checks that the spectra of the air reach the lanes.
 /// @throws InputError located at the air's element

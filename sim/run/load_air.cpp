@@ -1,5 +1,7 @@
 #include "sim/run/load_air.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -44,6 +46,11 @@ atmosphere::Atmosphere air_from(const TableAir& air, InputFiles& files) {
 }
 
 }  // namespace
+
+void warn_at(const SourceLocation& where, const std::string& message, Diagnostics& diagnostics) {
+  diagnostics.warn(
+      fmt::format("{}:{}:{}: warning: {}", where.file, where.line, where.column, message));
+}
 
 void warn_of_bright_night(const Scenario& scenario, const ephemeris::Illumination& bodies,
                           const atmosphere::Atmosphere& air, Diagnostics& diagnostics) {

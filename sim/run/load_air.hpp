@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "atmosphere/atmosphere.hpp"
@@ -53,6 +54,9 @@ auto at_element(const SourceLocation& where, F&& part) {
     throw error.located(where, {});
   }
 }
+
+/// Tells of what may be wrong at a place of the user's files, as a compiler would.
+void warn_at(const SourceLocation& where, const std::string& message, Diagnostics& diagnostics);
 
 /// Figures of air are given for one sun and do not darken when it sets: tells of a night whose sky
 /// still shines in the visible.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "atmosphere/make/levels.hpp"
+#include "atmosphere/particles/haze_profile.hpp"
 #include "core/text.hpp"
 #include "sim/files/band_tables.hpp"
 #include "sim/files/data_directory.hpp"
@@ -114,6 +115,28 @@ void check_layers(const atmosphere::Layered& air) {
   static_cast<void>(atmosphere::Particles{air.particles, air.aerosol, air.clouds, levels});
 }
 
+/// Haze through which no light comes is mostly a fog that was meant to be thin: all is black.
+void warn_of_black_haze(const LayeredAir& input, const atmosphere::Layered& air,
+                        Diagnostics& diagnostics) {
+  constexpr double black_depth = 20.0;     // straight light of exp(-20) = 2e-9
+  constexpr double above_haze_m = 4000.0;  // over the ground; the boundary layer ends at 2 to 3 km
+  if (air.aerosol.type == atmosphere::AerosolType::none) return;
+  const double ground_m = air.ground_height_m;
+  const double visibility_km = air.aerosol.optical_depth_550
+                                   ? visibility_of_depth(*air.particles, air.aerosol, ground_m)
+                                   : air.aerosol.visibility_km;
+  const atmosphere::HazeProfile haze{*air.particles, air.aerosol, visibility_km, ground_m};
+  const double depth = haze.depth_below(0, ground_m + above_haze_m);
+  if (!(depth > black_depth)) return;
+  warn_at(
+      input.aerosol_where,
+      fmt::format("the haze of the lowest 2 km has an optical depth of {:.0f} at 0.55 um: "
+                  "nothing shows through it (hint: fog is a <cloud> at the ground, base_m=\"0\", "
+                  "of type fog_advection or fog_radiation)",
+                  depth),
+      diagnostics);
+}
+
 LayeredTask layered_task(const LayeredAir& input, double ground_m, InputFiles& files,
                          Diagnostics& diagnostics) {
   Figures figures;
@@ -132,6 +155,7 @@ LayeredTask layered_task(const LayeredAir& input, double ground_m, InputFiles& f
                    figures.files()};
   for (const fs::path& file : task.figures) files.note(file);
   check_layers(task.air);
+  warn_of_black_haze(input, task.air, diagnostics);
   return task;
 }
 

@@ -147,9 +147,4 @@ ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& 
                     scenario.illumination);
 }
 
-ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files) {
-  Diagnostics unheard;
-  return load_illumination(scenario, files, unheard);
-}
-
 }  // namespace nadir::sim

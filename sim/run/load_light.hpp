@@ -18,8 +18,4 @@ namespace nadir::sim {
 [[nodiscard]] ephemeris::Illumination load_illumination(const Scenario& scenario, InputFiles& files,
                                                         Diagnostics& diagnostics);
 
-/// The same, without a word.
-[[nodiscard]] ephemeris::Illumination load_illumination(const Scenario& scenario,
-                                                        InputFiles& files);
-
 }  // namespace nadir::sim

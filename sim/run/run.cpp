@@ -132,7 +132,7 @@ RunOutcome run_scenario(const RunOptions& options) {
   World world =
       clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
   check_spectra(world, scenario.sampling, diagnostics);
-  check_memory(world);
+  check_memory(world.camera);
   check_view(world, diagnostics);
   prepare_output(options.output);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
@@ -182,7 +182,7 @@ Validation validate_scenario(const std::filesystem::path& file) {
   for (const auto& array : world.camera.arrays) found.bands += array.bands.size();
   found.stored_primitives = world.scene.geometry.stored_primitives();
   found.represented_primitives = world.scene.geometry.represented_primitives();
-  check_memory(world);
+  check_memory(world.camera);
   found.warnings = diagnostics.messages();
   return found;
 }

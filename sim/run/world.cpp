@@ -82,7 +82,7 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   errors.attempt([&] {
     if (have_materials) maps = load_maps(scenario, materials, frame, files, diagnostics);
   });
-  errors.attempt([&] { illumination = load_illumination(scenario, files); });
+  errors.attempt([&] { illumination = load_illumination(scenario, files, diagnostics); });
   errors.attempt([&] {
     air = load_atmosphere(scenario, files);
     air_task = load_air_task(scenario, files, diagnostics);
@@ -101,7 +101,9 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
     if (geometry) check_lamps(geometry->scene, scenario, geometry->lamps, diagnostics);
   });
   errors.attempt([&] {
-    if (geometry && air_task) fit_air(scenario, *geometry, air, illumination, camera, *air_task);
+    if (geometry && air_task) {
+      fit_air(scenario, *geometry, air, illumination, camera, *air_task, diagnostics);
+    }
   });
   errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);
@@ -116,19 +118,21 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   return world;
 }
 
-void check_memory(const World& world) {
+void check_memory(const Camera& camera, const AirDemand& air) {
   constexpr double bytes_per_band = 3.0 * sizeof(float);  // radiance, error, brightness temperature
   constexpr double bytes_of_truth = 5.0 * sizeof(float);
-  double needed = 0.0;
-  for (const sensor::DetectorArray& array : world.camera.arrays) {
+  double needed = air.bytes;
+  for (const sensor::DetectorArray& array : camera.arrays) {
     needed += static_cast<double>(array.samples) * array.lines *
               (bytes_per_band * static_cast<double>(array.bands.size()) + bytes_of_truth);
   }
   const double there =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= there) return;
-  throw InputError{fmt::format("the images need {:.1f} GB of memory, this machine has {:.1f} GB",
-                               needed * 1e-9, there * 1e-9)};
+  const std::string table =
+      air.lanes > 0 ? fmt::format(" and the table of the air's {} lanes", air.lanes) : "";
+  throw InputError{fmt::format("the images{} need {:.1f} GB of memory, this machine has {:.1f} GB",
+                               table, needed * 1e-9, there * 1e-9)};
 }
 
 CameraPlan plan_camera(const World& world, const SamplingInput& sampling) {

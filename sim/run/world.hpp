@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -35,8 +36,13 @@ struct World {
 /// @throws InputError
 void check_spectra(const World& world, const SamplingInput& sampling, Diagnostics& diagnostics);
 
-/// Checks that the images fit into this machine's memory.
+/// What a table of the air that is about to be computed will need.
+struct AirDemand {
+  std::size_t lanes = 0;
+  double bytes = 0.0;
+};
+/// Checks that the images, and a table of the air beside them, fit into this machine's memory.
 /// @throws InputError
-void check_memory(const World& world);
+void check_memory(const Camera& camera, const AirDemand& air = {});
 
 }  // namespace nadir::sim

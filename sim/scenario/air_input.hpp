@@ -41,13 +41,14 @@ struct LayeredAir {
   atmosphere::AirMode mode = atmosphere::AirMode::accurate;
   int streams = 8;
   double gas_tolerance = 5e-4;  ///< of transmittance
-  ColumnInput water_vapour;  ///< g cm^-2
-  ColumnInput ozone;         ///< Dobson units
+  ColumnInput water_vapour;     ///< g cm^-2
+  ColumnInput ozone;            ///< Dobson units
   double co2_ppm = 420.0;
   GroundAboutInput ground{};
   bool refraction = false;
   bool night_sky = true;
   atmosphere::Aerosol aerosol{};
+  SourceLocation aerosol_where{};  ///< of its element, where there is one
   std::vector<atmosphere::Cloud> clouds{};
   std::optional<SpectralInput> urban_glow;  ///< W m^-2 sr^-1 um^-1 in the zenith
 };

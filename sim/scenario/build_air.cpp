@@ -112,7 +112,9 @@ LayeredAir build_layered(const BuildContext& context, const CheckedElement& elem
   air.sounding = element.find<std::filesystem::path>("sounding");
   const bool fast = element.value<std::string>("mode") == "fast";
   air.mode = fast ? atmosphere::AirMode::fast : atmosphere::AirMode::accurate;
-  air.streams = element.value<int>("streams");
+  constexpr int clear_streams = 8, cloudy_streams = 16;  // as the schema says
+  air.streams = element.find<int>("streams").value_or(element.child("cloud") ? cloudy_streams
+                                                                             : clear_streams);
   air.gas_tolerance = element.number("gas_tolerance");
   if (air.streams % 2 != 0) {
     context.mistake(element.where("streams"),
@@ -131,6 +133,7 @@ LayeredAir build_layered(const BuildContext& context, const CheckedElement& elem
   air.night_sky = element.flag("night_sky");
   for (const auto* aerosol : children_of(context, element, "aerosol", true)) {
     air.aerosol = build_aerosol(context, *aerosol);
+    air.aerosol_where = context.source.locate(aerosol->offset);
   }
   for (const auto* cloud : children_of(context, element, "cloud", false)) {
     air.clouds.push_back(build_cloud(context, *cloud));

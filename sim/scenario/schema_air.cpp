@@ -41,9 +41,9 @@ ElementType layered() {
            defaulted("mode", EnumerationType{{"accurate", "fast"}}, "", "accurate",
                      "accurate: discrete ordinates. fast: single scattering plus a source from "
                      "two streams; skies within about a tenth."),
-           defaulted("streams", IntegerType{4, 64}, "", "8",
-                     "Directions of the accurate mode, an even number: 8 for about 1 %, 16 for "
-                     "0.2 %."),
+           optional("streams", IntegerType{4, 64}, "", "8; 16 where there are clouds",
+                    "Directions of the accurate mode, an even number: 8 for about 1 % of a clear "
+                    "sky, 16 for 0.2 %, and for 0.5 to 2 % under clouds."),
            defaulted("gas_tolerance", from_to(1e-5, 0.1), "", "0.0005",
                      "Of transmittance: how well few exponentials, each a lane of its own, must "
                      "stand for the lines of gases. Looser is faster; see docs/air-gases.md."),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "atmosphere/synthetic_air.hpp"
 #include "core/error.hpp"
@@ -84,6 +85,16 @@ TEST_CASE("a legal table passes its check", "[atmosphere][table]") {
   CHECK(refusal([](AirTable&) {}).empty());
   CHECK(refusal([](AirTable& t) { t.views.clear(); }).empty());
   CHECK(refusal([](AirTable& t) { t.night_top.assign(3, 1e-6F); }).empty());
+}
+
+TEST_CASE("two bands may share a wavelength and stand for other intervals", "[atmosphere][table]") {
+  AirTable table = split_table();
+  table.lanes[2].absorption = {0.59, 0.62, 0};  // of a wider band
+  table.lanes[1].weight = table.lanes[2].weight = 1.0;
+  check(table);
+  CHECK(sky(at(table, {0.6}, {{0.59, 0.62, 0}}), 0) == sky(bound(table), 2));
+  std::swap(table.lanes[1], table.lanes[2]);
+  CHECK_THROWS_AS(check(table), InputError);
 }
 
 TEST_CASE("the check names the part that is wrong", "[atmosphere][table]") {

@@ -64,6 +64,17 @@ TEST_CASE("a second run takes the table from the cache and gives the same bytes"
   }
 }
 
+TEST_CASE("bands that share a wavelength run beside each other", "[end_to_end][air]") {
+  const AirFolder folder;
+  TinyScenario scenario = day();
+  scenario.band = R"(<band_box name="wide" lo_um="0.5" hi_um="0.7"/>)"
+                  R"(<band_box name="narrow" lo_um="0.55" hi_um="0.65"/>)";
+  const AirRun both = run_air(folder, looking_up(scenario));  // one node a band: 0.6 um in both
+  CHECK(both.radiance(0) > 5.0);
+  CHECK(std::abs(both.radiance(1) / both.radiance(0) - 1.0) < 0.2);  // ozone and the sun differ
+  CHECK(run_air(folder, looking_up(scenario)).says("\"from_cache\": true"));
+}
+
 TEST_CASE("by night nothing is solved for a body", "[end_to_end][air]") {
   const AirFolder folder;
   TinyScenario scenario = day();
@@ -208,6 +219,8 @@ TEST_CASE("air that cannot be is refused with its place", "[end_to_end][air]") {
     CHECK(result.exit_code == 2);
     CHECK(result.err.find("low.xml:11:1: error: the camera lies 5.0 m below the height of the "
                           "site, which is that of the ground under the air") != std::string::npos);
+    CHECK(result.err.find("hint: set the site's height to the lowest ground of the scene") !=
+          std::string::npos);
   }
   SECTION("a ground whose spectrum ends before the band") {
     write_file(folder.folder() / "g.csv", "wavelength_um,r\n0.3,0.1\n0.5,0.2\n");

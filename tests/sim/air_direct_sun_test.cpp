@@ -14,7 +14,6 @@ namespace nadir::sim::test {
 namespace {
 
 using namespace atmosphere;
-using std::numbers::pi;
 
 constexpr double sun_mu = 0.5 * std::numbers::sqrt2;  // 45 degrees
 

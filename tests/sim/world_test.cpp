@@ -214,7 +214,7 @@ TEST_CASE("a scene too large for its shadows, or far from its site, is told", "[
 TEST_CASE("a night under a sky that still shines is told", "[sim][world]") {
   const support::ScratchFolder folder;
   std::string text = scenario_text(
-      R"(<illumination><ephemeris solar_irradiance="1800"/></illumination>
+      R"(<illumination><ephemeris solar_irradiance="1800" lunar_irradiance="0"/></illumination>
          <atmosphere><uniform sky_radiance="50"/></atmosphere>)",
       R"(<material name="m" reflectance="0.4"/>)", ground, thermal_band);
   CHECK(load(folder, text).warnings.empty());
