@@ -13,7 +13,10 @@ if(NADIR_CCACHE)
 endif()
 
 add_library(nadir_compiler INTERFACE)
-target_compile_options(nadir_compiler INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+target_compile_options(nadir_compiler INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+# Of several sources that are compiled as one, each would shadow what the others call their own.
+set(unity "$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>")
+target_compile_options(nadir_compiler INTERFACE $<$<NOT:${unity}>:-Wshadow>)
 # g++ 12 reports strings of braced temporaries as uninitialised (GCC bug 105562), and strings that
 # are put together as overlapping themselves (105651); the sanitizers and clang-tidy watch for real
 # ones.
@@ -38,3 +41,13 @@ if(NADIR_SANITIZE)
     -fno-omit-frame-pointer)
   target_link_options(nadir_compiler INTERFACE -fsanitize=address,undefined)
 endif()
+
+# Sources of a target eight at a time as one: headers and templates, most of the time of a build, are
+# then read once for eight. For builds from scratch; the plain build shows that every source
+# includes what it needs. Sources with options of their own stay alone. Targets with names that two
+# sources define are left out.
+function(nadir_unity target)
+  if(NADIR_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

@@ -3,8 +3,10 @@
 # not compile.
 #
 #   nadir_module(radiometry LINKS core spectral geometry PRIVATE embree)
+#
+# PLAIN: never a unity build: two of its sources define one name, see nadir_unity().
 function(nadir_module name)
-  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "PLAIN" "" "LINKS;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   set(include_root "${PROJECT_BINARY_DIR}/include/${name}")
   file(MAKE_DIRECTORY "${include_root}")
@@ -14,6 +16,9 @@ function(nadir_module name)
     add_library(nadir_${name} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(nadir_${name} PRIVATE nadir_compiler ${ARG_PRIVATE})
+    if(NOT ARG_PLAIN)
+      nadir_unity(nadir_${name})
+    endif()
   else()
     add_library(nadir_${name} INTERFACE)
     set(scope INTERFACE)
@@ -28,14 +33,18 @@ function(nadir_module name)
   set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
 endfunction()
 
-# One test program per folder of tests/: nadir_tests(core LINKS core)
+# One test program per folder of tests/: nadir_tests(core LINKS core). UNITY: its sources open the
+# same namespaces and define no name twice, see nadir_unity().
 function(nadir_tests name)
-  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "" "LINKS;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp")
   if(NOT sources)
     return()
   endif()
   add_executable(test_${name} ${sources})
+  if(ARG_UNITY)
+    nadir_unity(test_${name})
+  endif()
   # Tests drive the library; optimising them would only take time.
   set_target_properties(test_${name} PROPERTIES NADIR_BARE ON NADIR_LIGHT ON
     RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")

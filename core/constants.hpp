@@ -8,6 +8,7 @@ namespace nadir::si {
 inline constexpr double speed_of_light = 299'792'458.0;  ///< c, m s^-1
 inline constexpr double planck = 6.626'070'15e-34;       ///< h, J s
 inline constexpr double boltzmann = 1.380'649e-23;       ///< k, J K^-1
+inline constexpr double zero_celsius = 273.15;           ///< 0 degrees Celsius, K
 
 /// First radiation constant for radiance, 2 h c^2, in W m^-2 sr^-1 um^4: divided by a wavelength
 /// in um to the fifth power it is per um. W m^2 sr^-1 = 1e24 W m^-2 sr^-1 um^4.

@@ -45,8 +45,10 @@ using Radiance = Quantity<struct RadianceTag>;                   ///< W m^-2 sr^
 using SpectralRadiance = Quantity<struct RadiancePerUmTag>;      ///< W m^-2 sr^-1 um^-1
 using SpectralIrradiance = Quantity<struct IrradiancePerUmTag>;  ///< W m^-2 um^-1
 
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
 [[nodiscard]] constexpr Angle degrees(double value_deg) {
-  return Angle{value_deg * (std::numbers::pi / 180.0)};
+  return Angle{value_deg * radians_per_degree};
 }
 [[nodiscard]] constexpr double to_degrees(Angle angle) {
   return angle.value * (180.0 / std::numbers::pi);

@@ -10,8 +10,6 @@
 namespace nadir::geometry {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 void require(bool good, const char* message) {
   if (!good) throw InputError{message};
 }
@@ -53,7 +51,9 @@ bool is_regular(const Affine& map) {
          std::abs(m.determinant()) > 1e-12 * size;
 }
 
-constexpr Interval nothing{infinity, -infinity};
+constexpr Interval nothing{std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()};
+constexpr Interval everywhere{nothing.end, nothing.begin};
 
 Interval common(Interval a, Interval b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
@@ -62,7 +62,7 @@ Interval common(Interval a, Interval b) {
 /// Where 0 <= origin + t direction <= 1.
 Interval slab(double origin, double direction) {
   if (direction == 0.0) {
-    return origin >= 0.0 && origin <= 1.0 ? Interval{-infinity, infinity} : nothing;
+    return origin >= 0.0 && origin <= 1.0 ? everywhere : nothing;
   }
   const double a = -origin / direction, b = (1.0 - origin) / direction;
   return {std::min(a, b), std::max(a, b)};
@@ -72,7 +72,7 @@ Interval slab(double origin, double direction) {
 /// cancels for an origin far away.
 Interval ball(Vec3 origin, Vec3 direction) {
   const double a = dot(direction, direction);
-  if (a == 0.0) return dot(origin, origin) <= 1.0 ? Interval{-infinity, infinity} : nothing;
+  if (a == 0.0) return dot(origin, origin) <= 1.0 ? everywhere : nothing;
   const double nearest = -dot(origin, direction) / a;
   const Vec3 off = origin + nearest * direction;
   const double left = 1.0 - dot(off, off);

@@ -21,12 +21,12 @@ struct Line {
 };
 
 /// Where a line is inside a convex body; `face` names the face at either end.
-struct Interval {
+struct Inside {
   double enter = -infinity, leave = infinity;
   int enter_face = 0, leave_face = 0;
 
   [[nodiscard]] bool empty() const { return !(enter <= leave); }
-  void cut(const Interval& other) {
+  void cut(const Inside& other) {
     if (other.enter > enter) {
       enter = other.enter;
       enter_face = other.enter_face;
@@ -38,12 +38,12 @@ struct Interval {
   }
 };
 
-constexpr Interval nowhere{infinity, -infinity, 0, 0};
+constexpr Inside nowhere{infinity, -infinity, 0, 0};
 
 /// lo <= origin + t direction <= hi; the faces are named `lo_face` and `lo_face` + 1.
-Interval slab(double origin, double direction, double lo, double hi, int lo_face) {
-  if (direction == 0.0) return lo <= origin && origin <= hi ? Interval{} : nowhere;
-  Interval inside{(lo - origin) / direction, (hi - origin) / direction, lo_face, lo_face + 1};
+Inside slab(double origin, double direction, double lo, double hi, int lo_face) {
+  if (direction == 0.0) return lo <= origin && origin <= hi ? Inside{} : nowhere;
+  Inside inside{(lo - origin) / direction, (hi - origin) / direction, lo_face, lo_face + 1};
   if (direction < 0.0) {
     std::swap(inside.enter, inside.leave);
     std::swap(inside.enter_face, inside.leave_face);
@@ -52,10 +52,10 @@ Interval slab(double origin, double direction, double lo, double hi, int lo_face
 }
 
 /// |offset + t direction| <= radius, for a sphere or for the components across a cylinder's axis.
-Interval ball(Vec3 offset, Vec3 direction, double radius, int face) {
+Inside ball(Vec3 offset, Vec3 direction, double radius, int face) {
   const double a = dot(direction, direction);
   const double distance = length(offset);
-  if (a == 0.0) return distance <= radius ? Interval{} : nowhere;
+  if (a == 0.0) return distance <= radius ? Inside{} : nowhere;
   const double b = -dot(offset, direction);
   const double nearest = length(offset + (b / a) * direction);
   const double discriminant = a * (radius - nearest) * (radius + nearest);
@@ -74,7 +74,7 @@ double azimuth_fraction(double x, double y) {
 }
 
 std::optional<ShapeHit> hit(const Sphere& s, const Line& line, double t_max) {
-  const Interval inside = ball(line.origin - s.centre, line.direction, s.radius, 0);
+  const Inside inside = ball(line.origin - s.centre, line.direction, s.radius, 0);
   if (inside.empty()) return std::nullopt;
   for (const double t : {inside.enter, inside.leave}) {
     if (!on_line(t, t_max)) continue;
@@ -129,7 +129,7 @@ ShapeHit on_box_face(const Box& box, double t, Vec3 p, int face) {
 
 std::optional<ShapeHit> hit(const Box& box, const Line& line, double t_max) {
   const Vec3 &o = line.origin, &d = line.direction;
-  Interval inside = slab(o.x, d.x, box.lo.x, box.hi.x, 0);
+  Inside inside = slab(o.x, d.x, box.lo.x, box.hi.x, 0);
   inside.cut(slab(o.y, d.y, box.lo.y, box.hi.y, 2));
   inside.cut(slab(o.z, d.z, box.lo.z, box.hi.z, 4));
   if (inside.empty()) return std::nullopt;
@@ -177,8 +177,8 @@ std::optional<ShapeHit> hit(const Cylinder& c, const Line& line, double t_max) {
   const Axis axis{(c.top - c.base) / height, height};
   const Vec3 offset = line.origin - c.base;
   const double along = dot(offset, axis.direction), climb = dot(line.direction, axis.direction);
-  Interval inside = ball(offset - along * axis.direction, line.direction - climb * axis.direction,
-                         c.radius, side_face);
+  Inside inside = ball(offset - along * axis.direction, line.direction - climb * axis.direction,
+                       c.radius, side_face);
   inside.cut(slab(along, climb, 0.0, axis.height, base_face));
   if (inside.empty()) return std::nullopt;
   const auto counts = [&](double t, int face) {

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/text.hpp"
+#include "spectral/wavelength_text.hpp"
 
 namespace nadir::spectral {
 namespace {
-
-std::string um(Micrometres wavelength) { return number_text(wavelength.value) + " um"; }
 
 void check_count(std::size_t count) {
   if (count > 0 && count <= static_cast<std::size_t>(lane_capacity)) return;
@@ -35,11 +33,11 @@ Lanes::Lanes(std::vector<Micrometres> wavelengths, std::vector<AbsorptionLane> a
   for (int lane = 0; lane < count(); ++lane) {
     const Micrometres wavelength = (*this)[lane];
     if (!std::isfinite(wavelength.value) || wavelength.value <= 0.0) {
-      throw InputError{"expected a positive wavelength, found " + um(wavelength)};
+      throw InputError{"expected a positive wavelength, found " + wavelength_text(wavelength)};
     }
     if (wavelength < previous || (wavelength == previous && !after(lane))) {
-      throw InputError{"expected ascending wavelengths, found " + um(wavelength) + " after " +
-                       um(previous)};
+      throw InputError{"expected ascending wavelengths, found " + wavelength_text(wavelength) +
+                       " after " + wavelength_text(previous)};
     }
     previous = wavelength;
   }

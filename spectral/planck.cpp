@@ -10,7 +10,7 @@
 namespace nadir::spectral {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double power5(double x) noexcept { return x * x * x * x * x; }
@@ -90,7 +90,7 @@ double integral_between(double lo, double hi) noexcept {
 
 SpectralRadiance planck(Micrometres wavelength, Kelvin temperature) noexcept {
   const double lambda = wavelength.value, t = temperature.value;
-  if (!(lambda > 0.0) || !(t >= 0.0)) return SpectralRadiance{nan};
+  if (!(lambda > 0.0) || !(t >= 0.0)) return SpectralRadiance{undefined};
   if (t == 0.0) return SpectralRadiance{0.0};
   const double grown = std::expm1(si::radiation_c2 / (lambda * t));
   if (std::isinf(grown)) return SpectralRadiance{0.0};  // c1 / lambda^5 may be infinite too
@@ -109,7 +109,7 @@ Spectrum planck(const Lanes& lanes, Kelvin temperature) noexcept {
 
 double planck_derivative(Micrometres wavelength, Kelvin temperature) noexcept {
   const double lambda = wavelength.value, t = temperature.value;
-  if (!(lambda > 0.0) || !(t >= 0.0)) return nan;
+  if (!(lambda > 0.0) || !(t >= 0.0)) return undefined;
   if (t == 0.0) return 0.0;
   const double x = si::radiation_c2 / (lambda * t);
   const double grown = std::expm1(x);
@@ -119,7 +119,7 @@ double planck_derivative(Micrometres wavelength, Kelvin temperature) noexcept {
 
 Radiance planck_band(Micrometres lo, Micrometres hi, Kelvin temperature) noexcept {
   const double t = temperature.value;
-  if (!(lo.value >= 0.0) || !(hi >= lo) || !(t >= 0.0)) return Radiance{nan};
+  if (!(lo.value >= 0.0) || !(hi >= lo) || !(t >= 0.0)) return Radiance{undefined};
   if (t == 0.0 || lo == hi) return Radiance{0.0};
   const double scaled = t / si::radiation_c2;
   const double scale = si::radiation_c1 * scaled * scaled * scaled * scaled;
@@ -134,7 +134,7 @@ Radiance planck_band(Micrometres lo, Micrometres hi, Kelvin temperature) noexcep
 
 Kelvin brightness_temperature(Micrometres wavelength, SpectralRadiance radiance) noexcept {
   const double lambda = wavelength.value, l = radiance.value;
-  if (!(lambda > 0.0) || !(l >= 0.0)) return Kelvin{nan};
+  if (!(lambda > 0.0) || !(l >= 0.0)) return Kelvin{undefined};
   if (l == 0.0) return Kelvin{0.0};
   const double numerator = si::radiation_c1 / power5(lambda);
   const double ratio = numerator / l;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "spectral/wavelength_text.hpp"
 
 namespace nadir::spectral {
 namespace {
@@ -83,8 +84,6 @@ Micrometres fwhm_of(const TabulatedResponse& table) {
 Micrometres fwhm_of(const GaussianResponse& g) { return g.fwhm; }
 Micrometres fwhm_of(const BoxResponse& box) { return box.hi - box.lo; }
 
-std::string um(Micrometres wavelength) { return number_text(wavelength.value) + " um"; }
-
 bool is_positive(Micrometres wavelength) {
   return std::isfinite(wavelength.value) && wavelength.value > 0.0;
 }
@@ -105,18 +104,19 @@ void check_one(const TabulatedResponse& table) {
 void check_width(Micrometres width, Micrometres at) {
   if (width.value > 1e-9 * at.value) return;
   throw InputError{"expected a response wider than 1e-9 of its wavelength, found a width of " +
-                   um(width) + " at " + um(at)};
+                   wavelength_text(width) + " at " + wavelength_text(at)};
 }
 void check_one(const GaussianResponse& g) {
   if (!is_positive(g.fwhm)) {
-    throw InputError{"expected a positive full width at half maximum, found " + um(g.fwhm)};
+    throw InputError{"expected a positive full width at half maximum, found " +
+                     wavelength_text(g.fwhm)};
   }
   check_width(g.fwhm, g.centre);
   const Support s = support_of(g);
   if (!is_positive(s.lo) || !std::isfinite(s.hi.value)) {
     throw InputError{"expected a Gaussian response at positive wavelengths, found one from " +
-                     um(s.lo) + " to " + um(s.hi) + " (centre " + um(g.centre) + ", fwhm " +
-                     um(g.fwhm) + ")"};
+                     wavelength_text(s.lo) + " to " + wavelength_text(s.hi) + " (centre " +
+                     wavelength_text(g.centre) + ", fwhm " + wavelength_text(g.fwhm) + ")"};
   }
 }
 void check_one(const BoxResponse& box) {
@@ -124,8 +124,8 @@ void check_one(const BoxResponse& box) {
     check_width(box.hi - box.lo, box.hi);
     return;
   }
-  throw InputError{"expected positive, ascending limits of a box response, found " + um(box.lo) +
-                   " and " + um(box.hi)};
+  throw InputError{"expected positive, ascending limits of a box response, found " +
+                   wavelength_text(box.lo) + " and " + wavelength_text(box.hi)};
 }
 
 }  // namespace

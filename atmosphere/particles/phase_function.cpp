@@ -13,7 +13,7 @@
 namespace nadir::atmosphere {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Sums value * p_l(cosine) for all l by the three-term recurrence: eight nodes at a time, each
 /// with sums of its own, so that the compiler vectorises it.

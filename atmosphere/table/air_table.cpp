@@ -21,7 +21,7 @@ struct Allowed {
   float least, most;
 };
 constexpr float largest = 3e38F;
-constexpr Allowed any{-largest, largest}, not_negative{0.0F, largest}, share_of_one{0.0F, 1.0F};
+constexpr Allowed any{-largest, largest}, zero_or_more{0.0F, largest}, share_of_one{0.0F, 1.0F};
 constexpr Allowed below_one{0.0F, 0.999999F};  // light between air and a white ground must die out
 
 void check_values(const std::string& part, const std::vector<float>& values, std::size_t count,
@@ -95,11 +95,11 @@ void check_view(const std::string& name, const AirTable& table, const AirTable::
   check_axis(name + " azimuth", view.azimuth_rad, 0.0, std::numbers::pi);
   check_axis(name + " share", view.share, 0.0, 1.0);
   if (std::abs(view.share.back() - 1.0) > 1e-9) refuse(name + " share", "expected 1 as the last");
-  check_values(name + " extinction", view.extinction, all, not_negative);
-  check_values(name + " first", view.first, bodies * kinds * all, not_negative);
+  check_values(name + " extinction", view.extinction, all, zero_or_more);
+  check_values(name + " first", view.first, bodies * kinds * all, zero_or_more);
   check_values(name + " smooth", view.smooth, bodies * view.azimuth_rad.size() * all, any);
-  check_values(name + " even", view.even, all, not_negative);
-  check_values(name + " ground", view.ground, all, not_negative);
+  check_values(name + " even", view.even, all, zero_or_more);
+  check_values(name + " ground", view.ground, all, zero_or_more);
 }
 
 void check_lanes(const std::vector<AirTable::Lane>& lanes) {
@@ -129,9 +129,9 @@ void check_bodies(const AirTable& table) {
   for (const AirTable::Body& body : table.bodies) {
     check_axis(body.name + " zenith", {body.zenith_rad}, 0.0, std::numbers::pi);
     if (!std::isfinite(body.azimuth_rad)) refuse(body.name + " azimuth", "expected a number");
-    check_values(body.name + " irradiance", body.irradiance, lanes, not_negative);
+    check_values(body.name + " irradiance", body.irradiance, lanes, zero_or_more);
     check_values(body.name + " transmittance", body.transmittance, lanes, share_of_one);
-    check_values(body.name + " ground irradiance", body.ground_irradiance, lanes, not_negative);
+    check_values(body.name + " ground irradiance", body.ground_irradiance, lanes, zero_or_more);
   }
 }
 
@@ -150,7 +150,7 @@ void check_phase(const AirTable& table) {
   }
   const std::size_t kinds = static_cast<std::size_t>(table.kinds);
   check_values("phase", table.phase, kinds * table.phase_grid.size() * table.lanes.size(),
-               not_negative);
+               zero_or_more);
 }
 
 }  // namespace
@@ -173,8 +173,8 @@ void check(const AirTable& table) {
     }
   }
   check_values("spherical albedo", table.spherical_albedo, lanes, below_one);
-  check_values("even ground irradiance", table.even_ground_irradiance, lanes, not_negative);
-  check_values("night top", table.night_top, table.night_top.empty() ? 0 : lanes, not_negative);
+  check_values("even ground irradiance", table.even_ground_irradiance, lanes, zero_or_more);
+  check_values("night top", table.night_top, table.night_top.empty() ? 0 : lanes, zero_or_more);
 }
 
 }  // namespace nadir::atmosphere

@@ -8,7 +8,7 @@ namespace nadir::atmosphere {
 namespace {
 
 /// Scattering below this share of the depth changes nothing that could be seen.
-constexpr double negligible = 1e-7;
+constexpr double least_scattering = 1e-7;
 
 /// 4 x 4 is the size of the default of 8 streams; others are not worth the time to compile.
 template <int N>
@@ -66,7 +66,7 @@ void LayerOperator<N>::set(const LayerOptics& optics) {
   for (std::size_t l = basis_.order; l < optics.scatter.size(); ++l) {
     most = std::max(most, std::abs(optics.scatter[l]));
   }
-  clear_ = most < negligible;
+  clear_ = most < least_scattering;
   if (clear_) {
     diagonalised_ = false;
     k_ = basis_.inverse_mu;

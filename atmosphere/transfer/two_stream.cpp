@@ -9,7 +9,7 @@
 namespace nadir::atmosphere {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The equations of a layer, for the sum and the difference of the irradiances up and down:
 ///     sum' = x_minus difference - q_minus e,   difference' = x_plus sum - q_plus e,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/scattering/local_direction.hpp"
+
 namespace nadir::materials {
 namespace {
 
@@ -23,11 +25,6 @@ std::size_t cell_of(double share, std::size_t count) {
 Vec2 heading(Vec3 wo) {
   const double across = std::sqrt(wo.x * wo.x + wo.y * wo.y);
   return across > 0.0 ? Vec2{wo.x / across, wo.y / across} : Vec2{1.0, 0.0};
-}
-
-Vec3 direction(double mu, double azimuth) {
-  const double sine = std::sqrt(std::max(0.0, (1.0 - mu) * (1.0 + mu)));
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), mu};
 }
 
 /// Index drawn from a cumulative row, and where within its step, as a share.
@@ -64,7 +61,7 @@ double cell_mean(const std::function<double(Vec3, Vec3)>& f, Vec3 wo, std::size_
   for (const double i : {0.25, 0.75}) {
     const double mu = (static_cast<double>(row) + i) / row_count;
     const double azimuth = pi * (static_cast<double>(column) + 1.0 - i) / column_count;
-    sum += mu * f(direction(mu, azimuth), wo);
+    sum += mu * f(local_direction(mu, azimuth), wo);
   }
   return 0.5 * sum;
 }
@@ -79,7 +76,7 @@ DirectionTable::DirectionTable(const std::function<double(Vec3 wi, Vec3 wo)>& f)
 }
 
 void DirectionTable::tabulate(std::size_t view, const std::function<double(Vec3 wi, Vec3 wo)>& f) {
-  const Vec3 wo = direction((static_cast<double>(view) + 0.5) / view_count, 0.0);
+  const Vec3 wo = local_direction((static_cast<double>(view) + 0.5) / view_count, 0.0);
   std::array<double, cell_count> share{};
   double total = 0.0;
   for (std::size_t cell = 0; cell < cell_count; ++cell) {
@@ -130,7 +127,7 @@ Vec3 DirectionTable::draw(Vec3 wo, Vec2 u) const noexcept {
                            2.0 * (left ? u.y : u.y - 0.5));
   const double mu = std::min(1.0, (static_cast<double>(row.index) + row.within) / row_count);
   const double turn = pi * (static_cast<double>(column.index) + column.within) / column_count;
-  const Vec3 local = direction(mu, left ? turn : -turn);
+  const Vec3 local = local_direction(mu, left ? turn : -turn);
   const Vec2 ahead = heading(wo);
   return {local.x * ahead.x - local.y * ahead.y, local.x * ahead.y + local.y * ahead.x, local.z};
 }

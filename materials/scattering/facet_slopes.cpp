@@ -7,7 +7,8 @@
 namespace nadir::materials {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr double inv_sqrt_pi = std::numbers::inv_sqrtpi;
 
 double square(double x) { return x * x; }

@@ -6,17 +6,13 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "materials/scattering/local_direction.hpp"
 
 namespace nadir::materials {
 namespace {
 
 constexpr int entry_count = 33;  // 32 steps: linear interpolation errs by 1e-4 or less
 constexpr double least_cosine = 1e-6;
-
-Vec3 direction(double mu, double azimuth) {
-  const double sine = std::sqrt(std::max(0.0, (1.0 - mu) * (1.0 + mu)));
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), mu};
-}
 
 /// Two-point Gauss rule in each panel of t = sqrt(mu), which spreads out grazing angles, midpoint
 /// rule in the azimuth over half a turn: d(omega) = 2 t dt d(phi), twice for the other half.
@@ -30,7 +26,7 @@ spectral::Spectrum integral(const SmoothAlbedo::Function& f, Vec3 wo, int lanes,
     const int panel = i / 2;
     const double t = (panel + 0.5 + (i % 2 == 0 ? -node : node)) / panels, mu = t * t;
     for (int j = 0; j < azimuths; ++j) {
-      const Vec3 wi = direction(mu, std::numbers::pi * (j + 0.5) / azimuths);
+      const Vec3 wi = local_direction(mu, std::numbers::pi * (j + 0.5) / azimuths);
       sum.add(f(wi, wo), 2.0 * t * mu * cell);
     }
   }
@@ -43,7 +39,7 @@ SmoothAlbedo::SmoothAlbedo(int lanes, const Function& f, int panels) {
   entries_.reserve(entry_count);
   for (int i = 0; i < entry_count; ++i) {
     const double t = static_cast<double>(i) / (entry_count - 1);
-    const Vec3 wo = direction(std::max(t * t, least_cosine), 0.0);
+    const Vec3 wo = local_direction(std::max(t * t, least_cosine), 0.0);
     entries_.push_back(integral(f, wo, lanes, panels));
   }
 }

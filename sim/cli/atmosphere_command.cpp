@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <variant>
 
 #include "core/diagnostics.hpp"
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "sim/files/air_import.hpp"
 #include "sim/files/air_table_file.hpp"
 #include "sim/run/air_cache.hpp"
@@ -24,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using atmosphere::AirTable;
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string range_of(const std::vector<double>& nodes, double unit) {
   return fmt::format("{} from {:.6g} to {:.6g}", nodes.size(), nodes.front() / unit,
@@ -34,8 +33,8 @@ std::string range_of(const std::vector<double>& nodes, double unit) {
 std::string describe_view(const std::string& name, const AirTable::View& view) {
   return fmt::format(
       "{:<22}{:.1f} m: zenith angles {} deg, azimuths {} deg, {} shares of the way\n", name,
-      view.height_m, range_of(view.zenith_rad, degree), range_of(view.azimuth_rad, degree),
-      view.share.size());
+      view.height_m, range_of(view.zenith_rad, radians_per_degree),
+      range_of(view.azimuth_rad, radians_per_degree), view.share.size());
 }
 
 std::string summary(const AirTable& table) {
@@ -45,8 +44,9 @@ std::string summary(const AirTable& table) {
                       table.lanes.front().wavelength_um, table.lanes.back().wavelength_um);
   text += fmt::format("{:<22}{:.1f} m to {:.1f} m\n", "air", table.ground_m, table.top_m);
   for (const AirTable::Body& body : table.bodies) {
-    text += fmt::format("{:<22}zenith angle {:.6g} deg, azimuth {:.6g} deg\n", body.name,
-                        body.zenith_rad / degree, body.azimuth_rad / degree);
+    text +=
+        fmt::format("{:<22}zenith angle {:.6g} deg, azimuth {:.6g} deg\n", body.name,
+                    body.zenith_rad / radians_per_degree, body.azimuth_rad / radians_per_degree);
   }
   text += fmt::format("{:<22}{}\n", "kinds of scatterers", table.kinds);
   text += describe_view("sky", table.sky);
@@ -106,9 +106,10 @@ void add_import(CLI::App& parent) {
                     "uvspec: the solar spectrum is in W, not mW, m^-2 nm^-1");
   command->callback([options] {
     AirRunSettings& settings = options->wanted.settings;
-    if (options->sun_zenith_deg >= 0.0) settings.sun_zenith_rad = options->sun_zenith_deg * degree;
+    if (options->sun_zenith_deg >= 0.0)
+      settings.sun_zenith_rad = options->sun_zenith_deg * radians_per_degree;
     if (options->sun_azimuth_deg >= 0.0) {
-      settings.sun_azimuth_rad = options->sun_azimuth_deg * degree;
+      settings.sun_azimuth_rad = options->sun_azimuth_deg * radians_per_degree;
     }
     const AirTable table = import_air(options->wanted);
     write_air_table(options->out, {table, {}});

@@ -34,7 +34,7 @@ using ephemeris::SunAndMoon;
 
 constexpr Micrometres green{0.55};
 
-struct Options {
+struct EphemerisOptions {
   std::string time;
   ephemeris::Site site;
   double ut1_utc_s = 0.0;
@@ -239,7 +239,7 @@ std::string plain_text(const View& view) {
   return view.day ? text + day_text(*view.day) : text;
 }
 
-void run(const Options& options) {
+void report_ephemeris(const EphemerisOptions& options) {
   if (options.format != "text" && options.format != "json") {
     throw InputError{fmt::format("--format is \"{}\", expected text or json", options.format)};
   }
@@ -258,7 +258,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_ephemeris_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EphemerisOptions>();
   CLI::App* command = app.add_subcommand(
       "ephemeris", "Sun and moon in the sky of a site: places, light, rise, set");
   command->add_option("--time", options->time, "UTC, ISO 8601, such as 2026-06-21T16:00:00Z")
@@ -270,7 +270,7 @@ void add_ephemeris_command(CLI::App& app) {
   command->add_option("--height", options->site.height_m, "Above the WGS84 ellipsoid [m]");
   command->add_option("--ut1-utc", options->ut1_utc_s, "UT1 - UTC, from IERS bulletins [s]");
   command->add_option("--format", options->format, "text or json");
-  command->callback([options] { run(*options); });
+  command->callback([options] { report_ephemeris(*options); });
 }
 
 }  // namespace nadir::sim

@@ -19,7 +19,7 @@
 namespace nadir::sim {
 namespace {
 
-struct Options {
+struct MaterialsOptions {
   std::string name;
   std::filesystem::path library;
   std::string format = "text";
@@ -88,7 +88,7 @@ void print_table(const std::vector<Row>& rows) {
   }
 }
 
-void list_materials(Options options) {
+void list_materials(MaterialsOptions options) {
   if (options.library.empty()) options.library = data_directory() / "library" / "materials.xml";
   std::vector<LibraryMaterial> entries = read_material_library(options.library);
   if (!options.name.empty()) keep_named(entries, options.name);
@@ -100,7 +100,7 @@ void list_materials(Options options) {
 }  // namespace
 
 void add_materials_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MaterialsOptions>();
   CLI::App* command = app.add_subcommand("materials", "List a material library's surfaces");
   command->add_option("name", options->name, "Only this material");
   command->add_option("--library", options->library, "Library file [the one that ships]");

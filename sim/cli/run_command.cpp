@@ -14,7 +14,7 @@
 namespace nadir::sim {
 namespace {
 
-struct Options {
+struct RunCommandOptions {
   RunOptions run;
   bool quiet = false;
 };
@@ -40,7 +40,7 @@ void print_outcome(const RunOutcome& outcome) {
   fmt::print("{}\n", outcome.report_file.string());
 }
 
-void run(Options options) {
+void run_scenario(RunCommandOptions options) {
   if (options.run.output.empty()) {
     options.run.output = std::filesystem::path{"out"} / options.run.scenario.stem();
   }
@@ -61,7 +61,7 @@ void run(Options options) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = app.add_subcommand("run", "Render a scenario into band images");
   command->add_option("scenario", options->run.scenario, "Scenario file (XML)")->required();
   command->add_option("-o,--output", options->run.output,
@@ -72,7 +72,7 @@ void add_run_command(CLI::App& app) {
   command->add_option("--threads", options->run.threads, "Threads; 0: one per processor [0]")
       ->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_scenario(*options); });
 }
 
 }  // namespace nadir::sim

@@ -1,11 +1,11 @@
 #include "sim/files/air_import.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "sim/files/modtran_csv.hpp"
 #include "sim/files/modtran_tape7.hpp"
 #include "sim/files/number_table.hpp"
@@ -15,7 +15,6 @@ namespace nadir::sim {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double degree = std::numbers::pi / 180.0;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& message) {
   throw InputError{InputIssue{{file.string(), 0, 0}, message, {}, {}}};
@@ -72,7 +71,7 @@ void place(AirRunSet& set, const AirImport& wanted, const std::vector<RunGeometr
 }
 
 double folded_rad(double azimuth_deg) {
-  return std::abs(std::remainder(azimuth_deg, 360.0)) * degree;
+  return std::abs(std::remainder(azimuth_deg, 360.0)) * radians_per_degree;
 }
 
 void turn(AirRunSet& set, const std::vector<double>& azimuth_deg) {
@@ -111,7 +110,7 @@ std::vector<RunGeometry> read_run_geometry(const fs::path& file) {
   for (const NumberTable::Row& row : table.rows()) {
     RunGeometry one;
     one.height_m = table.value(row, "height_m", 0.0);
-    one.zenith_rad = table.value(row, "zenith_deg", 0.0) * degree;
+    one.zenith_rad = table.value(row, "zenith_deg", 0.0) * radians_per_degree;
     if (table.has("azimuth_deg")) {
       one.azimuth_rad = folded_rad(table.value(row, "azimuth_deg", 0.0));
     }

@@ -10,15 +10,15 @@
 #include "atmosphere/paths/path_measure.hpp"
 #include "atmosphere/paths/spherical_path.hpp"
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 
 namespace nadir::sim {
 namespace {
 
 using atmosphere::AirTable;
 
-constexpr double degree = std::numbers::pi / 180.0;
 /// Angles in degrees are written with three decimals.
-constexpr double same_angle = 5e-4 * degree;
+constexpr double same_angle = 5e-4 * radians_per_degree;
 
 bool same_direction(double a, double b) { return std::abs(a - b) < same_angle; }
 bool same_length(double a, double b) { return a == b || std::abs(a - b) < 1e-4 * std::min(a, b); }
@@ -107,9 +107,9 @@ class Grid {
   }
 
   [[nodiscard]] std::string place(const Way& way, const double* azimuth) const {
-    std::string text =
-        fmt::format("from {:.6g} m at zenith angle {:.6g}", height(), way.zenith_rad / degree);
-    if (azimuth != nullptr) text += fmt::format(", azimuth {:.6g}", *azimuth / degree);
+    std::string text = fmt::format("from {:.6g} m at zenith angle {:.6g}", height(),
+                                   way.zenith_rad / radians_per_degree);
+    if (azimuth != nullptr) text += fmt::format(", azimuth {:.6g}", *azimuth / radians_per_degree);
     text += " degrees";
     return text + (std::isinf(way.length_m) ? ", to the end of the air"
                                             : fmt::format(", over {:.6g} m", way.length_m));

@@ -10,14 +10,13 @@
 #include "atmosphere/paths/path_measure.hpp"
 #include "atmosphere/paths/spherical_path.hpp"
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "sim/files/air_run_grid.hpp"
 
 namespace nadir::sim {
 namespace {
 
 using atmosphere::AirTable;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::vector<float> floats(const std::vector<double>& values, std::size_t count) {
   std::vector<float> result(count, 0.0F);
@@ -273,11 +272,11 @@ void merge(AirRunSet& set, AirRunSet more) {
                     a.size(), a.front(), a.back())};
   }
   if (set.sun_zenith_rad && more.sun_zenith_rad &&
-      std::abs(*set.sun_zenith_rad - *more.sun_zenith_rad) > 0.01 * degree) {
-    throw InputError{
-        fmt::format("{} has the sun at zenith angle {:.6g} degrees, the runs before "
-                    "at {:.6g}",
-                    name, *more.sun_zenith_rad / degree, *set.sun_zenith_rad / degree)};
+      std::abs(*set.sun_zenith_rad - *more.sun_zenith_rad) > 0.01 * radians_per_degree) {
+    throw InputError{fmt::format(
+        "{} has the sun at zenith angle {:.6g} degrees, the runs before "
+        "at {:.6g}",
+        name, *more.sun_zenith_rad / radians_per_degree, *set.sun_zenith_rad / radians_per_degree)};
   }
   if (!set.sun_zenith_rad) set.sun_zenith_rad = more.sun_zenith_rad;
   take(set.sun_irradiance, more.sun_irradiance, "the sun's irradiance");

@@ -20,7 +20,7 @@ using atmosphere::AirTable;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
 /// A text on one line: what would break it is escaped.
-std::string escaped(const std::string& text) {
+std::string on_one_line(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '\n') {
@@ -51,8 +51,8 @@ void view_head(std::string& head, const std::string& prefix, const AirTable::Vie
 }
 
 std::string keys(const AirTable& table, const std::string& inputs) {
-  std::string head = "made_by = " + escaped(table.made_by) + "\n";
-  for (const std::string& note : table.notes) head += "note = " + escaped(note) + "\n";
+  std::string head = "made_by = " + on_one_line(table.made_by) + "\n";
+  for (const std::string& note : table.notes) head += "note = " + on_one_line(note) + "\n";
   if (!inputs.empty()) head += "inputs = " + inputs + "\n";
   head += fmt::format("interpolation_error = {}\n", table.interpolation_error);
   head += fmt::format("top_m = {}\nground_m = {}\n", table.top_m, table.ground_m);
@@ -61,7 +61,7 @@ std::string keys(const AirTable& table, const std::string& inputs) {
                       table.views.size());
   for (std::size_t i = 0; i < table.bodies.size(); ++i) {
     const AirTable::Body& body = table.bodies[i];
-    head += fmt::format("body.{}.name = {}\n", i, escaped(body.name));
+    head += fmt::format("body.{}.name = {}\n", i, on_one_line(body.name));
     head += fmt::format("body.{}.zenith_rad = {}\n", i, body.zenith_rad);
     head += fmt::format("body.{}.azimuth_rad = {}\n", i, body.azimuth_rad);
   }

@@ -24,7 +24,7 @@ class HeadReader {
       // Lists may be empty: nothing follows the sign then.
       const bool empty = line.text.ends_with(" =");
       if (equals == std::string_view::npos && !empty) {
-        fail(line, "expected \"key = value\", found " + air_quoted(line.text));
+        fail(line, "expected \"key = value\", found " + start_in_quotes(line.text));
       }
       const std::size_t key = equals == std::string_view::npos ? line.text.size() - 2 : equals;
       const std::string_view value = line.text.substr(std::min(key + 3, line.text.size()));
@@ -47,7 +47,7 @@ class HeadReader {
     const Token line = next("the file ends within its first line");
     const std::string_view version = line.text.substr(air_table_magic.size());
     if (version != std::to_string(air_table_version)) {
-      fail({version, line.line_text, line.line}, "a table of version " + air_quoted(version) +
+      fail({version, line.line_text, line.line}, "a table of version " + start_in_quotes(version) +
                                                      "; this program reads version " +
                                                      std::to_string(air_table_version));
     }
@@ -87,13 +87,6 @@ class HeadReader {
 
 AirTableLines air_table_lines(std::string_view bytes, const std::string& name) {
   return HeadReader{bytes, name}.read();
-}
-
-std::string air_quoted(std::string_view text) {
-  std::string result{'"'};
-  result.append(text.substr(0, 60));
-  result += '"';
-  return result;
 }
 
 }  // namespace nadir::sim

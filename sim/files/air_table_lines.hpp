@@ -28,7 +28,4 @@ struct AirTableLines {
 ///         changed after it was written
 [[nodiscard]] AirTableLines air_table_lines(std::string_view bytes, const std::string& name);
 
-/// The text's beginning in quotation marks, for messages.
-[[nodiscard]] std::string air_quoted(std::string_view text);
-
 }  // namespace nadir::sim

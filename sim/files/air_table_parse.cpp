@@ -59,7 +59,8 @@ class TableReader {
     } else if (entry.key == "array") {
       array_line(entry.value);
     } else if (!keys_.emplace(entry.key, entry.value).second) {
-      issues_.add(entry.value, "the key " + air_quoted(entry.key) + " stands here a second time");
+      issues_.add(entry.value,
+                  "the key " + start_in_quotes(entry.key) + " stands here a second time");
     }
   }
 
@@ -80,11 +81,13 @@ class TableReader {
     const auto offset =
         word.size() == 4 ? strict_number_in<std::size_t>(word[3].text) : std::nullopt;
     if (!offset) {
-      issues_.add(value, "expected name, type, shape and offset, found " + air_quoted(value.text));
+      issues_.add(value,
+                  "expected name, type, shape and offset, found " + start_in_quotes(value.text));
     } else if (!arrays_
                     .emplace(word[0].text, ArrayPlace{word[0], word[1].text, word[2].text, *offset})
                     .second) {
-      issues_.add(word[0], "the array " + air_quoted(word[0].text) + " stands here a second time");
+      issues_.add(word[0],
+                  "the array " + start_in_quotes(word[0].text) + " stands here a second time");
     }
   }
 
@@ -100,7 +103,7 @@ class TableReader {
 
   double number_of(const Token& word) {
     const auto number = strict_number_in<double>(word.text);
-    if (!number) issues_.add(word, "expected a number, found " + air_quoted(word.text));
+    if (!number) issues_.add(word, "expected a number, found " + start_in_quotes(word.text));
     return number.value_or(0.0);
   }
   double number(const std::string& key) {
@@ -112,7 +115,8 @@ class TableReader {
     if (!token) return 0;
     const auto number = strict_number_in<std::size_t>(token->text);
     if (!number || *number > most) {
-      issues_.add(*token, "expected a count of 0 to 1000000, found " + air_quoted(token->text));
+      issues_.add(*token,
+                  "expected a count of 0 to 1000000, found " + start_in_quotes(token->text));
       return 0;
     }
     return *number;
@@ -192,7 +196,7 @@ class TableReader {
         issues_.add(line,
                     "expected wavelength, interval from and to, term (a whole number) and "
                     "weight, found " +
-                        air_quoted(line.text));
+                        start_in_quotes(line.text));
         continue;
       }
       table.lanes.push_back({number_of(word[0]),
@@ -226,7 +230,7 @@ class TableReader {
       if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
       const std::string near = nearest_name(std::string{key}, known_);
       issues_.add({value.line_text, value.line_text, value.line},
-                  "the key " + air_quoted(key) + " is not known",
+                  "the key " + start_in_quotes(key) + " is not known",
                   near.empty() ? "" : "did you mean \"" + near + "\"?");
     }
   }
@@ -248,7 +252,7 @@ class TableReader {
       expected += (expected.empty() ? "" : "x") + std::to_string(axis.size);
     }
     if (place.shape != expected) {
-      return issues_.add(place.line, "the array " + air_quoted(name) + " is said to be " +
+      return issues_.add(place.line, "the array " + start_in_quotes(name) + " is said to be " +
                                          std::string{place.shape} + ", by the axes it is " +
                                          expected);
     }
@@ -257,7 +261,8 @@ class TableReader {
     } else if (place.type == "float64") {
       copy<double>(place, count, values);
     } else {
-      issues_.add(place.line, "expected type float32 or float64, found " + air_quoted(place.type));
+      issues_.add(place.line,
+                  "expected type float32 or float64, found " + start_in_quotes(place.type));
     }
   }
 
@@ -287,7 +292,7 @@ class TableReader {
         continue;
       }
       const std::string near = nearest_name(std::string{name}, known_arrays_);
-      issues_.add(place.line, "the array " + air_quoted(name) + " is not one of this table",
+      issues_.add(place.line, "the array " + start_in_quotes(name) + " is not one of this table",
                   near.empty() ? "" : "did you mean \"" + near + "\"?");
     }
     std::sort(used_.begin(), used_.end());

@@ -26,9 +26,9 @@ constexpr std::array<std::string_view, atmosphere::gas_count> gas_names{
     "h2o", "co2", "o3", "n2o", "co", "ch4", "o2", "no", "so2", "no2", "nh3", "hno3"};
 
 /// The words of a text, line by line, comments passed over.
-class Words {
+class WordReader {
  public:
-  Words(std::string name, std::string_view text, char separator)
+  WordReader(std::string name, std::string_view text, char separator)
       : name_{std::move(name)}, rest_{text}, separator_{separator} {}
 
   /// The next word of the current line; empty at its end.
@@ -70,7 +70,7 @@ class Words {
   int number_ = 0;
 };
 
-Gas gas_of(const Words& words, std::string_view name) {
+Gas gas_of(const WordReader& words, std::string_view name) {
   const auto found = std::find(gas_names.begin(), gas_names.end(), name);
   if (found == gas_names.end()) words.fail("unknown gas \"" + std::string{name} + "\"", name);
   return static_cast<Gas>(found - gas_names.begin());
@@ -78,9 +78,9 @@ Gas gas_of(const Words& words, std::string_view name) {
 
 /// Calls `use` with the name and the figures of every run of a file.
 void read_runs(const std::filesystem::path& file,
-               const std::function<void(const Words&, std::string_view, EvenRun)>& use) {
+               const std::function<void(const WordReader&, std::string_view, EvenRun)>& use) {
   const std::string text = read_bytes(file);
-  Words words{file.string(), text, ' '};
+  WordReader words{file.string(), text, ' '};
   while (words.next_line()) {
     if (words.word() != "run") words.fail("expected \"run NAME FIRST STEP COUNT\"");
     const std::string_view name = words.word();
@@ -101,7 +101,7 @@ void read_runs(const std::filesystem::path& file,
 
 std::vector<BandSet> read_sets(const std::filesystem::path& file) {
   const std::string text = read_bytes(file);
-  Words words{file.string(), text, ','};
+  WordReader words{file.string(), text, ','};
   std::vector<BandSet> sets;
   if (!words.next_line()) words.fail("the file is empty");
   while (words.next_line()) {  // below the names of the columns
@@ -127,7 +127,7 @@ std::vector<BandSet> read_sets(const std::filesystem::path& file) {
 std::vector<BandRun> read_bands(const std::filesystem::path& file,
                                 const std::vector<BandSet>& sets) {
   std::vector<BandRun> bands;
-  read_runs(file, [&](const Words& words, std::string_view name, EvenRun run) {
+  read_runs(file, [&](const WordReader& words, std::string_view name, EvenRun run) {
     const std::size_t slash = std::min(name.find('/'), name.size());
     const auto number = strict_number_in<int>(name.substr(std::min(slash + 1, name.size())));
     const Gas gas = gas_of(words, name.substr(0, slash));
@@ -148,7 +148,7 @@ void read_continua(const std::filesystem::path& file, BandTables& tables) {
       {"o2/per_k2", &tables.oxygen_per_k2}, {"o3/visible", &tables.ozone_visible},
       {"o3/c0", &tables.ozone_c0},          {"o3/c1", &tables.ozone_c1},
       {"o3/c2", &tables.ozone_c2},          {"o3/far", &tables.ozone_far}};
-  read_runs(file, [&](const Words& words, std::string_view name, EvenRun run) {
+  read_runs(file, [&](const WordReader& words, std::string_view name, EvenRun run) {
     if (name == "hno3/bands") {
       tables.nitric_acid.push_back(std::move(run));
       return;
@@ -168,7 +168,7 @@ void read_continua(const std::filesystem::path& file, BandTables& tables) {
 
 std::vector<Profile> read_profiles(const std::filesystem::path& file) {
   const std::string text = read_bytes(file);
-  Words words{file.string(), text, ','};
+  WordReader words{file.string(), text, ','};
   std::vector<Profile> profiles;
   if (!words.next_line()) words.fail("the file is empty");
   while (words.next_line()) {  // below the names of the columns

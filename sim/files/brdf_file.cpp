@@ -9,28 +9,28 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "core/text.hpp"
 #include "sim/files/text_tokens.hpp"
 
 namespace nadir::sim {
 namespace {
 
-constexpr std::string_view version_line = "# nadir-brdf:";
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::string_view brdf_version_line = "# nadir-brdf:";
 
 struct Key {
   std::string_view name;
   bool required;
   bool repeats;
 };
-constexpr std::array<Key, 8> keys{{{"nadir-brdf", true, false},
-                                   {"title", true, false},
-                                   {"quantity", true, false},
-                                   {"zero-azimuth", true, false},
-                                   {"wavelength", true, false},
-                                   {"source", true, true},
-                                   {"licence", true, true},
-                                   {"note", false, true}}};
+constexpr std::array<Key, 8> known_keys{{{"nadir-brdf", true, false},
+                                         {"title", true, false},
+                                         {"quantity", true, false},
+                                         {"zero-azimuth", true, false},
+                                         {"wavelength", true, false},
+                                         {"source", true, true},
+                                         {"licence", true, true},
+                                         {"note", false, true}}};
 
 struct AngleColumn {
   std::string_view name;
@@ -38,8 +38,6 @@ struct AngleColumn {
 };
 constexpr std::array<AngleColumn, 3> angle_columns{
     {{"incidence_deg", 90.0}, {"view_deg", 90.0}, {"relative_azimuth_deg", 180.0}}};
-
-std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
 
 /// Angles of one row in degrees, as they stand in the file.
 using Angles = std::array<double, 3>;
@@ -61,7 +59,7 @@ class BrdfParser {
   BrdfParser(std::string_view text, const std::string& name)
       : rest_{text}, name_{name}, issues_{name} {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-    if (!rest_.starts_with(version_line)) {
+    if (!rest_.starts_with(brdf_version_line)) {
       issues_.add("the first line of a measured reflectance is \"# nadir-brdf: 1\"");
     }
     issues_.throw_if_any();  // a file of another kind
@@ -121,26 +119,26 @@ class BrdfParser {
     }
     const Token key = token(without_blanks(line_text_.substr(1, colon - 1)));
     const Token value = token(without_blanks(line_text_.substr(colon + 1)));
-    const auto* const known =
-        std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key.text; });
-    if (known == keys.end()) return unknown_key(key);
+    const auto* const known = std::find_if(known_keys.begin(), known_keys.end(),
+                                           [&](const Key& k) { return k.name == key.text; });
+    if (known == known_keys.end()) return unknown_key(key);
     if (!known->repeats && std::find(seen_.begin(), seen_.end(), key.text) != seen_.end()) {
-      return issues_.add(key, "header key " + quoted(key.text) + " is given twice");
+      return issues_.add(key, "header key " + in_quotes(key.text) + " is given twice");
     }
     seen_.push_back(key.text);
     if (value.text.empty()) {
       return issues_.add(token(line_text_.substr(0, 1)),
-                         "header key " + quoted(key.text) + " has no value");
+                         "header key " + in_quotes(key.text) + " has no value");
     }
     keep(key.text, value);
   }
 
   void unknown_key(const Token& key) {
     std::vector<std::string> names;
-    for (const Key& k : keys) names.emplace_back(k.name);
+    for (const Key& k : known_keys) names.emplace_back(k.name);
     const std::string nearest = nearest_name(std::string{key.text}, names);
     issues_.add(key.text.empty() ? token(line_text_.substr(0, 1)) : key,
-                "unknown header key " + quoted(key.text),
+                "unknown header key " + in_quotes(key.text),
                 nearest.empty() ? "" : "did you mean \"" + nearest + "\"?");
   }
 
@@ -164,15 +162,15 @@ class BrdfParser {
   std::size_t one_of(const Token& value, const std::vector<std::string_view>& allowed) {
     const auto found = std::find(allowed.begin(), allowed.end(), value.text);
     if (found == allowed.end()) {
-      std::string expected = quoted(allowed.front());
-      for (std::size_t i = 1; i < allowed.size(); ++i) expected += " or " + quoted(allowed[i]);
-      issues_.add(value, "found " + quoted(value.text) + ", expected " + expected);
+      std::string expected = in_quotes(allowed.front());
+      for (std::size_t i = 1; i < allowed.size(); ++i) expected += " or " + in_quotes(allowed[i]);
+      issues_.add(value, "found " + in_quotes(value.text) + ", expected " + expected);
     }
     return static_cast<std::size_t>(found - allowed.begin());
   }
 
   void check_header() {
-    for (const Key& key : keys) {
+    for (const Key& key : known_keys) {
       if (!key.required || std::find(seen_.begin(), seen_.end(), key.name) != seen_.end()) continue;
       issues_.add("header line \"# " + std::string{key.name} + ": ...\" is missing");
     }
@@ -201,8 +199,8 @@ class BrdfParser {
     std::vector<double>& all = file_.table.wavelength_um;
     const auto um = strict_number_in<double>(cell.text);
     if (!um || *um <= 0.0) {
-      issues_.add(cell,
-                  "expected a wavelength in um as the column's name, found " + quoted(cell.text));
+      issues_.add(
+          cell, "expected a wavelength in um as the column's name, found " + in_quotes(cell.text));
       bad_columns_ = true;
     } else if (!all.empty() && *um <= all.back()) {
       issues_.add(
@@ -234,7 +232,7 @@ class BrdfParser {
     const auto [name, most] = angle_columns[column];
     const auto number = strict_number_in<double>(cell.text);
     if (!number || *number < 0.0 || *number > most) {
-      issues_.add(cell, std::string{name} + " is " + quoted(cell.text) + "; 0 to " +
+      issues_.add(cell, std::string{name} + " is " + in_quotes(cell.text) + "; 0 to " +
                             number_text(most) + " is allowed");
       return false;
     }
@@ -245,8 +243,8 @@ class BrdfParser {
   bool read_value(const Token& cell, std::vector<float>& values) {
     const auto number = strict_number_in<double>(cell.text);
     if (!number || *number < 0.0 || *number > 1e6) {  // beyond any measured peak, within a float
-      issues_.add(cell,
-                  "the reflectance is " + quoted(cell.text) + "; expected a number from 0 to 1e6");
+      issues_.add(
+          cell, "the reflectance is " + in_quotes(cell.text) + "; expected a number from 0 to 1e6");
       return false;
     }
     values.push_back(static_cast<float>(*number * scale_));
@@ -283,10 +281,10 @@ class BrdfParser {
     }
     if (!issues_.empty()) return;
     materials::BrdfTable& table = file_.table;
-    for (const double angle : incidences) table.incidence_rad.push_back(angle * degree);
-    for (const double angle : views) table.view_rad.push_back(angle * degree);
+    for (const double angle : incidences) table.incidence_rad.push_back(angle * radians_per_degree);
+    for (const double angle : views) table.view_rad.push_back(angle * radians_per_degree);
     for (const double angle : azimuths) {
-      table.azimuth_rad.push_back((forward_is_zero_ ? 180.0 - angle : angle) * degree);
+      table.azimuth_rad.push_back((forward_is_zero_ ? 180.0 - angle : angle) * radians_per_degree);
     }
     if (forward_is_zero_) std::reverse(table.azimuth_rad.begin(), table.azimuth_rad.end());
     try {

@@ -34,7 +34,7 @@ std::string single(std::string text) {
   return text;
 }
 
-std::string list(const std::vector<std::string>& items) {
+std::string envi_list(const std::vector<std::string>& items) {
   std::string text = "{";
   for (std::size_t i = 0; i < items.size(); ++i) {
     text += (i == 0 ? "" : ", ") + without_syntax(items[i]);
@@ -43,7 +43,7 @@ std::string list(const std::vector<std::string>& items) {
 }
 
 /// The shortest digits that read back as the same double.
-std::string list(const std::vector<double>& items) {
+std::string envi_list(const std::vector<double>& items) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
 
@@ -65,14 +65,14 @@ std::string header_text(const EnviHeader& h, std::size_t bands, int type) {
                         h.wavelength_um.empty() ? "Band" : "Wavelength (um)",
                         without_syntax(h.data_units));
   }
-  if (!h.band_names.empty()) text += "band names = " + list(h.band_names) + "\n";
+  if (!h.band_names.empty()) text += "band names = " + envi_list(h.band_names) + "\n";
   if (!h.wavelength_um.empty()) {
-    text += "wavelength units = Micrometers\nwavelength = " + list(h.wavelength_um) + "\n";
+    text += "wavelength units = Micrometers\nwavelength = " + envi_list(h.wavelength_um) + "\n";
   }
-  if (!h.fwhm_um.empty()) text += "fwhm = " + list(h.fwhm_um) + "\n";
+  if (!h.fwhm_um.empty()) text += "fwhm = " + envi_list(h.fwhm_um) + "\n";
   if (!h.class_names.empty()) {
-    text +=
-        fmt::format("classes = {}\nclass names = {}\n", h.class_names.size(), list(h.class_names));
+    text += fmt::format("classes = {}\nclass names = {}\n", h.class_names.size(),
+                        envi_list(h.class_names));
   }
   if (h.nan_is_no_data) text += "data ignore value = nan\n";
   return text;

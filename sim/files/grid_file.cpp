@@ -18,43 +18,36 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "grids are read as they lie in memory");
 
-enum class Type { uint8, uint16, float32, float64 };
-constexpr std::array<std::pair<std::string_view, Type>, 11> type_names{
-    {{"float", Type::float32},
-     {"double", Type::float64},
-     {"uchar", Type::uint8},
-     {"unsigned char", Type::uint8},
-     {"uint8", Type::uint8},
-     {"uint8_t", Type::uint8},
-     {"ushort", Type::uint16},
-     {"unsigned short", Type::uint16},
-     {"unsigned short int", Type::uint16},
-     {"uint16", Type::uint16},
-     {"uint16_t", Type::uint16}}};
+enum class NrrdType { uint8, uint16, float32, float64 };
+constexpr std::array<std::pair<std::string_view, NrrdType>, 11> nrrd_types{
+    {{"float", NrrdType::float32},
+     {"double", NrrdType::float64},
+     {"uchar", NrrdType::uint8},
+     {"unsigned char", NrrdType::uint8},
+     {"uint8", NrrdType::uint8},
+     {"uint8_t", NrrdType::uint8},
+     {"ushort", NrrdType::uint16},
+     {"unsigned short", NrrdType::uint16},
+     {"unsigned short int", NrrdType::uint16},
+     {"uint16", NrrdType::uint16},
+     {"uint16_t", NrrdType::uint16}}};
 
-std::size_t size_of(Type type) {
+std::size_t size_of(NrrdType type) {
   constexpr std::array<std::size_t, 4> sizes{1, 2, 4, 8};
   return sizes[static_cast<std::size_t>(type)];
 }
 
-struct Header {
+struct NrrdHeader {
   std::array<int, 3> sizes{};
-  Type type = Type::float32;
+  NrrdType type = NrrdType::float32;
   std::string_view body;
 };
 
-std::string quoted(std::string_view text) {
-  std::string result{'"'};
-  result.append(text.substr(0, 40));
-  result += '"';
-  return result;
-}
-
-class HeaderParser {
+class NrrdParser {
  public:
-  HeaderParser(std::string_view bytes, const std::string& name) : rest_{bytes}, issues_{name} {}
+  NrrdParser(std::string_view bytes, const std::string& name) : rest_{bytes}, issues_{name} {}
 
-  Header parse() {
+  NrrdHeader parse() {
     if (!next() || !line_.text.starts_with("NRRD000")) {
       issues_.add("this is no NRRD file: its first line is not \"NRRD0001\" to \"NRRD0005\"");
       issues_.throw_if_any();
@@ -85,14 +78,14 @@ class HeaderParser {
   void field() {
     const std::size_t colon = line_.text.find(':');
     if (colon == std::string_view::npos) {
-      issues_.add(line_, "expected \"field: value\", found " + quoted(line_.text));
+      issues_.add(line_, "expected \"field: value\", found " + start_in_quotes(line_.text));
       return;
     }
     if (line_.text.substr(colon).starts_with(":=")) return;  // a user's own pair
     const std::string_view name = without_blanks(line_.text.substr(0, colon));
     const Token value{without_blanks(line_.text.substr(colon + 1)), line_.line_text, line_.line};
     if (value.text.empty()) {
-      issues_.add(line_, "the field " + quoted(name) + " has no value");
+      issues_.add(line_, "the field " + start_in_quotes(name) + " has no value");
       return;
     }
     if (known_field(name, value)) fields_.insert(std::string{name});
@@ -119,7 +112,7 @@ class HeaderParser {
 
   void expect(const Token& value, std::string_view wanted, const std::string& rule) {
     if (value.text != wanted) {
-      issues_.add(value, rule + ", found " + quoted(value.text),
+      issues_.add(value, rule + ", found " + start_in_quotes(value.text),
                   "write it anew, for instance with `unu save -f nrrd -e raw -en little`");
     }
   }
@@ -136,11 +129,11 @@ class HeaderParser {
   }
 
   void type(const Token& value) {
-    const auto found = std::find_if(type_names.begin(), type_names.end(),
+    const auto found = std::find_if(nrrd_types.begin(), nrrd_types.end(),
                                     [&](const auto& entry) { return entry.first == value.text; });
-    if (found == type_names.end()) {
-      issues_.add(value,
-                  "expected type float, double, uint8 or uint16, found " + quoted(value.text));
+    if (found == nrrd_types.end()) {
+      issues_.add(value, "expected type float, double, uint8 or uint16, found " +
+                             start_in_quotes(value.text));
       return;
     }
     header_.type = found->second;
@@ -155,13 +148,14 @@ class HeaderParser {
       const auto number = strict_number_in<int>(word);
       // 65536 cells along one axis: all three together stay within 64 bits.
       if (!number || *number < 1 || *number > 65536) {
-        issues_.add(value, "expected three sizes from 1 to 65536, found " + quoted(value.text));
+        issues_.add(value,
+                    "expected three sizes from 1 to 65536, found " + start_in_quotes(value.text));
         return;
       }
       size = *number;
     }
     if (!without_blanks(left).empty()) {
-      issues_.add(value, "expected three sizes, found more: " + quoted(value.text));
+      issues_.add(value, "expected three sizes, found more: " + start_in_quotes(value.text));
     }
   }
 
@@ -176,7 +170,7 @@ class HeaderParser {
   std::string_view rest_;
   FileIssues issues_;
   Token line_{};
-  Header header_;
+  NrrdHeader header_;
   std::set<std::string, std::less<>> fields_;
 };
 
@@ -187,22 +181,22 @@ double as(const char* bytes) {
   return static_cast<double>(number);
 }
 
-double value_at(const Header& header, std::size_t index) {
+double value_at(const NrrdHeader& header, std::size_t index) {
   const char* const bytes = header.body.data() + index * size_of(header.type);
   switch (header.type) {
-    case Type::uint8:
+    case NrrdType::uint8:
       return as<std::uint8_t>(bytes);
-    case Type::uint16:
+    case NrrdType::uint16:
       return as<std::uint16_t>(bytes);
-    case Type::float32:
+    case NrrdType::float32:
       return as<float>(bytes);
-    case Type::float64:
+    case NrrdType::float64:
       break;
   }
   return as<double>(bytes);
 }
 
-std::string place_of(const Header& header, std::size_t index) {
+std::string place_of(const NrrdHeader& header, std::size_t index) {
   const auto columns = static_cast<std::size_t>(header.sizes[0]);
   const auto rows = static_cast<std::size_t>(header.sizes[1]);
   return "column " + std::to_string(index % columns + 1) + ", row " +
@@ -210,7 +204,7 @@ std::string place_of(const Header& header, std::size_t index) {
          std::to_string(index / columns / rows + 1);
 }
 
-std::size_t cells_of(const Header& header, FileIssues& issues) {
+std::size_t cells_of(const NrrdHeader& header, FileIssues& issues) {
   const auto [columns, rows, layers] = header.sizes;
   const std::size_t cells = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
                             static_cast<std::size_t>(layers);
@@ -228,7 +222,7 @@ std::size_t cells_of(const Header& header, FileIssues& issues) {
 }  // namespace
 
 radiometry::ScalarGrid parse_grid(std::string_view bytes, const std::string& name) {
-  const Header header = HeaderParser{bytes, name}.parse();
+  const NrrdHeader header = NrrdParser{bytes, name}.parse();
   FileIssues issues{name};
   const std::size_t cells = cells_of(header, issues);
   radiometry::ScalarGrid grid{header.sizes[0], header.sizes[1], header.sizes[2], {}};

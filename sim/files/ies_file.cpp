@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "core/quantity.hpp"
 #include "radiometry/lamps/intensity_shape.hpp"
 #include "sim/files/text_tokens.hpp"
 
 namespace nadir::sim {
 namespace {
 
-constexpr double per_degree = std::numbers::pi / 180.0;
 using Numbers = std::vector<double>;
 
 /// Blanks, commas and the end-of-file mark of DOS part numbers.
@@ -44,8 +43,8 @@ class IesParser {
     if (next()) fail("the file goes on after its last candela value");
     close_circle(horizontal, candela, vertical.size());
     file.candela = {std::move(vertical), std::move(horizontal), std::move(candela)};
-    for (double& angle : file.candela.vertical_rad) angle *= per_degree;
-    for (double& angle : file.candela.horizontal_rad) angle *= per_degree;
+    for (double& angle : file.candela.vertical_rad) angle *= radians_per_degree;
+    for (double& angle : file.candela.horizontal_rad) angle *= radians_per_degree;
     file.lumens = radiometry::integral(file.candela);
     if (!(file.lumens > 0.0)) fail("the luminaire gives no light: all its candela values are 0");
     return file;

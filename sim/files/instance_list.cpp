@@ -11,7 +11,7 @@
 namespace nadir::sim {
 namespace {
 
-enum Column { east, north, up, yaw, pitch, roll, scale, scale_x, scale_y, scale_z };
+enum InstanceColumn { east, north, up, yaw, pitch, roll, scale, scale_x, scale_y, scale_z };
 constexpr std::array<std::string_view, 11> column_names{"east_m",    "north_m",  "up_m",  "yaw_deg",
                                                         "pitch_deg", "roll_deg", "scale", "scale_x",
                                                         "scale_y",   "scale_z"};
@@ -69,7 +69,7 @@ class ListParser {
       columns_.push_back(column);
     }
     if (cells_.empty()) return;
-    for (const Column required : {east, north}) {
+    for (const InstanceColumn required : {east, north}) {
       if (has(required)) continue;
       issues_.add(cells_.front(),
                   "the column \"" + std::string{column_names[required]} + "\" is missing");

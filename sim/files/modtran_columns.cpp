@@ -15,7 +15,7 @@ namespace {
 
 using Column = ModtranColumn;
 
-constexpr auto names = std::to_array<std::pair<std::string_view, Column>>({
+constexpr auto modtran_names = std::to_array<std::pair<std::string_view, Column>>({
     {"freq", Column::frequency},
     {"tottrans", Column::transmittance},
     {"trans", Column::transmittance},
@@ -234,9 +234,9 @@ std::optional<ModtranColumn> modtran_column(std::string_view name) {
     if (c == ' ' || c == '_' || c == '-') continue;
     plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
-  const auto found = std::find_if(names.begin(), names.end(),
+  const auto found = std::find_if(modtran_names.begin(), modtran_names.end(),
                                   [&](const auto& entry) { return entry.first == plain; });
-  if (found == names.end()) return std::nullopt;
+  if (found == modtran_names.end()) return std::nullopt;
   return found->second;
 }
 

@@ -12,7 +12,7 @@
 namespace nadir::sim {
 namespace {
 
-enum class Axis { wavenumber, micrometres, nanometres };
+enum class AxisUnit { wavenumber, micrometres, nanometres };
 
 std::string lower(std::string_view text) {
   std::string result{text};
@@ -128,24 +128,24 @@ class Csv {
     return values;
   }
 
-  static Axis axis(const std::string& units, const ModtranSpectrum& spectrum) {
+  static AxisUnit axis(const std::string& units, const ModtranSpectrum& spectrum) {
     const std::string text = lower(units);
     if (text.find("nm") != std::string::npos || text.find("nano") != std::string::npos) {
-      return Axis::nanometres;
+      return AxisUnit::nanometres;
     }
     if (text.find("um") != std::string::npos || text.find("mic") != std::string::npos ||
         text.find("mcrn") != std::string::npos) {
-      return Axis::micrometres;
+      return AxisUnit::micrometres;
     }
     // Not said: MODTRAN reaches from 0.2 um, so that only nm are above 100.
-    return !spectrum.rows.empty() && spectrum.rows.front().front() > 100.0 ? Axis::nanometres
-                                                                           : Axis::micrometres;
+    return !spectrum.rows.empty() && spectrum.rows.front().front() > 100.0 ? AxisUnit::nanometres
+                                                                           : AxisUnit::micrometres;
   }
 
   /// To what run_of_modtran expects: wavenumbers, radiance per cm^-1.
-  static void to_wavenumber(ModtranSpectrum& spectrum, Axis axis) {
+  static void to_wavenumber(ModtranSpectrum& spectrum, AxisUnit axis) {
     // W cm^-2 um^-1 are 1e4 W m^-2 um^-1; uW cm^-2 nm^-1 are 1e-6 x 1e4 x 1e3 of them.
-    const bool nm = axis == Axis::nanometres;
+    const bool nm = axis == AxisUnit::nanometres;
     const double per_m2_um = nm ? 10.0 : 1e4;
     for (std::vector<double>& row : spectrum.rows) {
       const double nu = 1e4 / (nm ? row.front() * 1e-3 : row.front());

@@ -9,13 +9,12 @@
 
 #include "atmosphere/paths/spherical_path.hpp"
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "sim/files/modtran_columns.hpp"
 #include "sim/files/text_tokens.hpp"
 
 namespace nadir::sim {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::vector<Token> words_of(const Token& line) {
   std::vector<Token> words;
@@ -204,7 +203,7 @@ class Tape7 {
         strict_number_in<int>(first.size() < 10 ? "" : without_blanks(first.substr(5, 5)));
     RunGeometry result;
     result.height_m = way[0] * 1e3;
-    result.zenith_rad = way[2] * degree;
+    result.zenith_rad = way[2] * radians_per_degree;
     if (!type || *type < 1 || *type > 3) {
       fail(cards.lines.front(), "columns 6 to 10 of a run's first card hold no ITYPE of 1, 2 or 3");
     }
@@ -243,8 +242,8 @@ class Tape7 {
   void from_sun(const Cards& cards, RunGeometry& result) {
     const std::vector<double> kind = card(cards, 4), angles = card(cards, 3);
     if (kind.empty() || kind[0] != 2.0 || angles.size() < 2) return;
-    result.azimuth_rad = std::abs(std::remainder(angles[0], 360.0)) * degree;
-    sun_zenith_ = angles[1] * degree;
+    result.azimuth_rad = std::abs(std::remainder(angles[0], 360.0)) * radians_per_degree;
+    sun_zenith_ = angles[1] * radians_per_degree;
   }
 
   std::string_view rest_;

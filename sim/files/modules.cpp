@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string file_name(const std::string& module) { return "lib" + module + ".so"; }
+std::string library_name(const std::string& module) { return "lib" + module + ".so"; }
 
 std::string last_words() {
   const char* words = dlerror();
@@ -20,7 +20,7 @@ std::string last_words() {
 }
 
 void* open_module(const std::string& module) {
-  const fs::path path = module_directory(module) / file_name(module);
+  const fs::path path = module_directory(module) / library_name(module);
   // RTLD_LOCAL: GDAL's and OpenImageIO's crowd of symbols stay out of each other's way.
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) throw std::runtime_error{"cannot load the module: " + last_words()};
@@ -48,10 +48,10 @@ fs::path module_directory(const std::string& module) {
   std::string places;
   for (const fs::path& folder : module_directories()) {
     std::error_code ignored;
-    if (fs::exists(folder / file_name(module), ignored)) return folder;
+    if (fs::exists(folder / library_name(module), ignored)) return folder;
     places += "\n  " + folder.string();
   }
-  throw std::runtime_error{"the module " + file_name(module) + " is in none of these folders:" +
+  throw std::runtime_error{"the module " + library_name(module) + " is in none of these folders:" +
                            places + "\n(the environment variable NADIR_MODULES names another)"};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "sim/files/number_table.hpp"
@@ -21,13 +22,12 @@ constexpr std::array<const char*, 4> humidity_columns{"relative_humidity_percent
                                                       "mixing_ratio_g_kg", "h2o_ppmv"};
 /// Radiosondes report a little more than saturation now and then; clouds and fog are saturated.
 constexpr double most_humidity = 1.02;
-constexpr double zero_celsius_k = 273.15;
 
 std::vector<NumberColumn> known_columns() {
   return {{"height_m", true, -500.0, 1e5},
           {"pressure_hpa", true, 1e-4, 1100.0},
           {"temperature_k", false, 150.0, 340.0},
-          {"temperature_c", false, 150.0 - zero_celsius_k, 340.0 - zero_celsius_k},
+          {"temperature_c", false, 150.0 - si::zero_celsius, 340.0 - si::zero_celsius},
           {"relative_humidity_percent", false, 0.0, 100.0 * most_humidity},
           {"dewpoint_c", false, -120.0, 60.0},
           {"mixing_ratio_g_kg", false, 0.0, 100.0},
@@ -93,7 +93,7 @@ double water_share(const std::string& column, double value, const Level& level) 
   const double saturation = atmosphere::saturation_pressure_hpa(level.temperature_k);
   if (column == "relative_humidity_percent") return 1e-2 * value * saturation / level.pressure_hpa;
   if (column == "dewpoint_c") {
-    return atmosphere::saturation_pressure_hpa(value + zero_celsius_k) / level.pressure_hpa;
+    return atmosphere::saturation_pressure_hpa(value + si::zero_celsius) / level.pressure_hpa;
   }
   if (column == "mixing_ratio_g_kg") return 1e-3 * value / (dry_to_water_mass + 1e-3 * value);
   return 1e-6 * value;
@@ -126,7 +126,7 @@ Level level_of(const NumberTable& table, const NumberTable::Row& row, const Prof
   level.pressure_hpa = table.value(row, "pressure_hpa", 0.0);
   level.temperature_k = table.has("temperature_k")
                             ? table.value(row, "temperature_k", 0.0)
-                            : table.value(row, "temperature_c", 0.0) + zero_celsius_k;
+                            : table.value(row, "temperature_c", 0.0) + si::zero_celsius;
   level.mixing(Gas::h2o) = 1e6 * water_share(humidity, table.value(row, humidity, 0.0), level);
   if (table.has("o3_ppmv")) level.mixing(Gas::o3) = table.value(row, "o3_ppmv", 0.0);
   const double found = relative_humidity(level);

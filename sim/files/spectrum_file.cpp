@@ -11,7 +11,6 @@ namespace nadir::sim {
 
 using spectrum_format::did_you_mean;
 using spectrum_format::entry_of;
-using spectrum_format::in_quotes;
 using spectrum_format::joined;
 
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "sim/files/spectrum_file.hpp"
 
 namespace nadir::sim::spectrum_format {
@@ -34,13 +35,6 @@ inline constexpr std::array<QuantityEntry, 11> quantity_table{{
 
 inline const QuantityEntry& entry_of(SpectrumQuantity quantity) noexcept {
   return quantity_table[static_cast<std::size_t>(quantity)];
-}
-
-inline std::string in_quotes(std::string_view text) {
-  std::string quoted{'"'};  // by appending: g++ 12 warns wrongly (PR 105329) about "\"" + string
-  quoted.append(text);
-  quoted += '"';
-  return quoted;
 }
 
 inline std::string joined(const std::vector<std::string>& names) {

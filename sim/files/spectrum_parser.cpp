@@ -31,10 +31,10 @@ constexpr std::array<KeyEntry, 11> key_table{{
     {"note", false, true},
 }};
 
-constexpr std::string_view version_line = "# nadir-spectrum:";
+constexpr std::string_view spectrum_version_line = "# nadir-spectrum:";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 // A file of another kind has a mistake on every line; a hundred of them say so well enough.
-constexpr std::size_t most_issues = 100;
+constexpr std::size_t most_mistakes = 100;
 
 std::string_view trim(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -90,21 +90,22 @@ std::vector<std::string> names_in(const Table& table) {
 }
 
 /// Reads one file, line by line, and remembers every mistake.
-class Parser {
+class SpectrumParser {
  public:
-  Parser(std::string_view text, const std::string& path, std::optional<SpectrumQuantity> plain_as)
+  SpectrumParser(std::string_view text, const std::string& path,
+                 std::optional<SpectrumQuantity> plain_as)
       : text_{text}, plain_as_{plain_as} {
     file_.path = path;
     if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) {
       text_.remove_prefix(byte_order_mark.size());
     }
-    plain_ = text_.substr(0, version_line.size()) != version_line;
+    plain_ = text_.substr(0, spectrum_version_line.size()) != spectrum_version_line;
   }
 
   SpectrumFile parse() {
-    while (issues_.size() < most_issues && next_line()) read_line();
-    if (issues_.size() < most_issues) finish();
-    if (issues_.size() >= most_issues) add(0, "too many mistakes; reading stopped here");
+    while (issues_.size() < most_mistakes && next_line()) read_line();
+    if (issues_.size() < most_mistakes) finish();
+    if (issues_.size() >= most_mistakes) add(0, "too many mistakes; reading stopped here");
     if (!issues_.empty()) throw InputError{std::move(issues_)};
     return std::move(file_);
   }
@@ -344,7 +345,7 @@ class Parser {
 
 SpectrumFile parse_spectrum(std::string_view text, const std::string& path,
                             std::optional<SpectrumQuantity> plain_as) {
-  return Parser{text, path, plain_as}.parse();
+  return SpectrumParser{text, path, plain_as}.parse();
 }
 
 }  // namespace nadir::sim

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace nadir::sim {
 namespace {
 
@@ -49,6 +51,8 @@ void FileIssues::add(const Token& at, std::string message, std::string hint) {
         std::move(hint),
         std::string{at.line_text}});
 }
+
+std::string start_in_quotes(std::string_view text) { return in_quotes(text.substr(0, 60)); }
 
 void FileIssues::add(std::string message) { keep({{file_, 0, 0}, std::move(message), {}, {}}); }
 

@@ -30,6 +30,10 @@ struct Token {
 
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
 
+/// The text's beginning in quotation marks, for messages: a line of another kind of file has no
+/// end.
+[[nodiscard]] std::string start_in_quotes(std::string_view text);
+
 /// The whole of `text` as a finite number: no blank, no plus sign, nothing behind it.
 template <class Number>
 [[nodiscard]] std::optional<Number> strict_number_in(std::string_view text) {

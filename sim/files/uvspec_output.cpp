@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/quantity.hpp"
 #include "core/text.hpp"
 #include "sim/files/text_tokens.hpp"
 #include "sim/files/uvspec_input.hpp"
 
 namespace nadir::sim {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// What stands for one wavelength and level.
 struct Block {
@@ -207,7 +205,7 @@ class Runs {
     return result;
   }
 
-  [[nodiscard]] double mu0() const { return std::cos(in_.sun_zenith_deg * degree); }
+  [[nodiscard]] double mu0() const { return std::cos(in_.sun_zenith_deg * radians_per_degree); }
   [[nodiscard]] std::size_t top() const { return in_.level_m.size() - 1; }
   [[nodiscard]] bool has_top() const { return in_.level_m.back() >= settings_.top_m; }
   [[nodiscard]] bool has_ground() const {
@@ -215,7 +213,7 @@ class Runs {
   }
 
   void sun(AirRunSet& set) const {
-    set.sun_zenith_rad = in_.sun_zenith_deg * degree;
+    set.sun_zenith_rad = in_.sun_zenith_deg * radians_per_degree;
     if (!(mu0() > 0.0)) return;
     if (has_top()) {
       set.sun_irradiance =
@@ -313,7 +311,8 @@ class Runs {
         fail("solar radiance needs phi: without it only the mean over azimuth is there");
       return;
     }
-    run.azimuth_rad = std::abs(std::remainder(in_.phi_deg[p] - in_.sun_phi_deg, 360.0)) * degree;
+    run.azimuth_rad =
+        std::abs(std::remainder(in_.phi_deg[p] - in_.sun_phi_deg, 360.0)) * radians_per_degree;
   }
 
   const UvspecInput& in_;

@@ -16,7 +16,7 @@ using spectral::LaneShare;
 /// A node of a band's quadrature and the part of the band that it stands for.
 using Node = std::pair<Micrometres, AbsorptionLane>;
 
-std::size_t index(int number) { return static_cast<std::size_t>(number); }
+std::size_t at_index(int number) { return static_cast<std::size_t>(number); }
 
 /// The nodes of every band of an array.
 std::vector<std::vector<Node>> nodes_of(const sensor::DetectorArray& array, const ArrayPlan& plan) {
@@ -91,13 +91,13 @@ std::vector<LaneShare> shares(const std::vector<Node>& nodes, const std::vector<
   std::vector<LaneShare> found;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto before = [&](const atmosphere::SplitLane& lane, const Node& node) {
-      const std::size_t source = index(lane.source);
+      const std::size_t source = at_index(lane.source);
       return Node{air.wavelengths[source], air.intervals[source]} < node;
     };
     auto lane = std::lower_bound(air.lanes.begin(), air.lanes.end(), nodes[i], before);
     const int source = lane == air.lanes.end() ? -1 : lane->source;
-    const bool known = source >= 0 && !(nodes[i] < Node{air.wavelengths[index(source)],
-                                                        air.intervals[index(source)]});
+    const bool known = source >= 0 && !(nodes[i] < Node{air.wavelengths[at_index(source)],
+                                                        air.intervals[at_index(source)]});
     if (!known) {
       throw InputError{
           fmt::format("the table of the air was made for other bands: it has no lanes "

@@ -7,12 +7,11 @@
 #include <functional>
 #include <sstream>
 
+#include "core/constants.hpp"
 #include "sim/products/colour_map.hpp"
 
 namespace nadir::sim {
 namespace {
-
-constexpr double celsius_zero_k = 273.15;  // BIPM, SI Brochure, 9th ed., 2.3.1
 
 struct Axis {
   double lo = 0.0, hi = 0.0;
@@ -71,7 +70,7 @@ void draw_colour_bar(Canvas& canvas, Rectangle area, TemperatureRange range, int
   }
   draw_axis(canvas, area, {range.lo_k, range.hi_k, "K", area.y, bar_y - 4 * scale}, scale);
   draw_axis(canvas, area,
-            {range.lo_k - celsius_zero_k, range.hi_k - celsius_zero_k, "\u00B0C",
+            {range.lo_k - si::zero_celsius, range.hi_k - si::zero_celsius, "\u00B0C",
              bar_y + bar_height + 6 * scale, bar_y + bar_height + scale},
             scale);
 }

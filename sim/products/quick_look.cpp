@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/constants.hpp"
 #include "sim/products/band_choice.hpp"
 #include "sim/products/caption.hpp"
 #include "sim/products/colour_map.hpp"
@@ -20,7 +21,6 @@ namespace {
 constexpr int least_width = 320;   // below this a picture is magnified
 constexpr int wanted_width = 480;  // up to about this
 constexpr int most_lines = 1600;   // but no taller than this
-constexpr double celsius_zero_k = 273.15;
 
 /// What stands below the picture.
 struct Caption {
@@ -46,7 +46,7 @@ std::string band_text(const BandImage& band) {
   return fmt::format("{} {:.3g} \u00B5m", band.name, band.centre_um);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
+std::string with_dots(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) {
     if (!part.empty()) text += (text.empty() ? "" : " \u00B7 ") + part;
@@ -73,7 +73,7 @@ std::string invalid_text(std::size_t count) {
 }
 
 std::string kelvin_text(double kelvin) {
-  return fmt::format("{:.1f} K ({:.1f} \u00B0C)", kelvin, kelvin - celsius_zero_k);
+  return fmt::format("{:.1f} K ({:.1f} \u00B0C)", kelvin, kelvin - si::zero_celsius);
 }
 
 Caption temperature_caption(const ArrayImage& image, const BandChoice& choice,
@@ -83,8 +83,9 @@ Caption temperature_caption(const ArrayImage& image, const BandChoice& choice,
   Caption caption;
   caption.shown = "brightness temperature, band " + band_text(image.bands[choice.bands[0]]);
   caption.colour_bar = range;
-  caption.extremes = joined({extremes.any ? "min " + kelvin_text(extremes.least) : "no valid pixel",
-                             extremes.any ? "max " + kelvin_text(extremes.greatest) : ""});
+  caption.extremes =
+      with_dots({extremes.any ? "min " + kelvin_text(extremes.least) : "no valid pixel",
+                 extremes.any ? "max " + kelvin_text(extremes.greatest) : ""});
   return caption;
 }
 
@@ -99,7 +100,7 @@ Caption radiance_caption(const ArrayImage& image, const BandChoice& choice) {
   const char* kind = choice.look == Look::natural_colour ? "natural colour"
                      : choice.look == Look::false_colour ? "false colour"
                                                          : "grey";
-  caption.shown = fmt::format("{}: {}", kind, joined(names));
+  caption.shown = fmt::format("{}: {}", kind, with_dots(names));
   const std::string range = extremes.any
                                 ? fmt::format(
                                       "radiance {:.4g} to {:.4g} W m\u207B\u00B2 sr\u207B\u00B9 "
@@ -180,12 +181,12 @@ QuickLook quick_look(const ArrayImage& image, const QuickLookOptions& options) {
     caption = radiance_caption(image, choice);
   }
   caption.invalid = invalid_text(picture.invalid_pixels);
-  caption.heading = joined({options.title, image.name, options.time});
+  caption.heading = with_dots({options.title, image.name, options.time});
 
   QuickLook look{compose(image, picture, caption), picture.invalid_pixels, choice.as_wanted};
   look.picture.text = {
-      {"Title", in_ascii(joined({options.title, image.name}))},
-      {"Description", in_ascii(joined({caption.shown, caption.extremes, caption.invalid}))},
+      {"Title", in_ascii(with_dots({options.title, image.name}))},
+      {"Description", in_ascii(with_dots({caption.shown, caption.extremes, caption.invalid}))},
       {"Software", options.software}};
   if (!options.time.empty()) look.picture.text.emplace_back("Acquisition Time", options.time);
   return look;

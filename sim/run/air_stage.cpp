@@ -25,7 +25,7 @@ std::string digest_of(const std::vector<std::filesystem::path>& files) {
   return digest_bytes(all).sha256;
 }
 
-std::string joined(const std::vector<std::string>& notes) {
+std::string notes_text(const std::vector<std::string>& notes) {
   std::string text;
   for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
   return text;
@@ -47,7 +47,7 @@ void describe_table(const AirTable& table, ReportValues& values) {
   values.emplace_back("bodies", whole(table.bodies.size()));
   values.emplace_back("interpolation_error", table.interpolation_error);
   values.emplace_back("made_by", table.made_by);
-  values.emplace_back("notes", joined(table.notes));
+  values.emplace_back("notes", notes_text(table.notes));
 }
 
 // Less than that is not told from the model's own errors.

@@ -11,10 +11,11 @@ namespace {
 using materials::MapFrame;
 
 /// Places that are looked at, along each side of the scene.
-constexpr int places = 32;
+constexpr int cover_places = 32;
 
-/// What was seen of one map: at how many places, and at how many of them it had nothing to say.
-struct Seen {
+/// What was seen of one map: at how many places, and at how many of them it had nothing to
+/// say.
+struct CoverSeen {
   int at = 0, outside = 0, without_texture = 0;
 };
 
@@ -27,7 +28,7 @@ bool lies_outside(const MapFrame& frame, Vec2 place) {
   return !frame.repeats && (beyond(p.x, frame.columns) || beyond(p.y, frame.rows));
 }
 
-void look(const MapFrame& frame, const geometry::Hit& hit, Seen& seen) {
+void look(const MapFrame& frame, const geometry::Hit& hit, CoverSeen& seen) {
   ++seen.at;
   if (frame.by == MapFrame::By::texture) {
     const bool none = hit.tangent == Vec3{} && hit.texture == Vec2{};
@@ -38,7 +39,7 @@ void look(const MapFrame& frame, const geometry::Hit& hit, Seen& seen) {
   }
 }
 
-std::string text_of(const std::string& name, const Seen& seen) {
+std::string text_of(const std::string& name, const CoverSeen& seen) {
   if (seen.without_texture > 0) {
     return fmt::format(
         "{} follows texture coordinates, but lies on a surface that has none: all of "
@@ -55,13 +56,13 @@ std::string text_of(const std::string& name, const Seen& seen) {
 
 void check_cover(const Scenario& scenario, const radiometry::SceneDescription& scene,
                  Diagnostics& diagnostics) {
-  std::map<std::string, Seen> seen;
+  std::map<std::string, CoverSeen> seen;
   const geometry::Bounds box = scene.geometry.bounds();
   const Vec3 size = box.hi - box.lo;
-  for (int j = 0; j < places; ++j) {
-    for (int i = 0; i < places; ++i) {
-      const Vec3 from{box.lo.x + size.x * (i + 0.5) / places,
-                      box.lo.y + size.y * (j + 0.5) / places, box.hi.z + 1.0};
+  for (int j = 0; j < cover_places; ++j) {
+    for (int i = 0; i < cover_places; ++i) {
+      const Vec3 from{box.lo.x + size.x * (i + 0.5) / cover_places,
+                      box.lo.y + size.y * (j + 0.5) / cover_places, box.hi.z + 1.0};
       const auto hit = scene.geometry.intersect({from, {0.0, 0.0, -1.0}});
       if (!hit) continue;
       if (hit->material >= scene.materials.size()) {

@@ -14,7 +14,7 @@ namespace {
 // Lines of sight tried along each side of an array: some 10 ms of rays.
 constexpr int tried_along_side = 96;
 
-struct Seen {
+struct ViewSeen {
   int surfaces = 0;     ///< lines of sight that meet one
   int from_behind = 0;  ///< that meet one from behind
   bool bounds = false;  ///< whether any enters the scene's bounds
@@ -35,9 +35,9 @@ bool enters(const geometry::Bounds& box, const geometry::Ray& ray) {
   return enter <= leave;
 }
 
-Seen look(const World& world, const sensor::DetectorArray& array) {
+ViewSeen look(const World& world, const sensor::DetectorArray& array) {
   const geometry::Bounds box = world.scene.geometry.bounds();
-  Seen seen;
+  ViewSeen seen;
   const int across = std::min(array.samples, tried_along_side);
   const int down = std::min(array.lines, tried_along_side);
   for (int j = 0; j < down; ++j) {
@@ -68,7 +68,7 @@ bool bounds_in_view(const World& world, const sensor::DetectorArray& array) {
 }
 
 void check_array(const World& world, const sensor::DetectorArray& array, Diagnostics& diagnostics) {
-  const Seen seen = look(world, array);
+  const ViewSeen seen = look(world, array);
   if (2 * seen.from_behind > seen.surfaces) {
     diagnostics.warn(
         fmt::format("array {} sees most surfaces from behind; is the camera below the ground or "

@@ -17,25 +17,25 @@ using spectral::Lanes;
 using spectral::Spectrum;
 
 /// Places that are looked at, along each side of the scene.
-constexpr int places = 32;
+constexpr int ground_places = 32;
 /// The mean direction of diffuse light: half of what a level surface sends up is above 45 degrees.
 const Vec3 slanting{0.5 * std::numbers::sqrt2, 0.0, 0.5 * std::numbers::sqrt2};
 
 /// How many places showed a material at a temperature.
-using Seen = std::map<std::pair<std::uint32_t, double>, int>;
+using GroundSeen = std::map<std::pair<std::uint32_t, double>, int>;
 
-Seen look_down(const radiometry::SceneDescription& scene) {
+GroundSeen look_down(const radiometry::SceneDescription& scene) {
   constexpr std::uint64_t map_draws = 0x67726F756E64;  // "ground": the numbers that maps draw with
-  Seen seen;
+  GroundSeen seen;
   const geometry::Bounds box = scene.geometry.bounds();
   const Vec3 size = box.hi - box.lo;
-  for (int j = 0; j < places; ++j) {
-    for (int i = 0; i < places; ++i) {
-      const Vec3 from{box.lo.x + size.x * (i + 0.5) / places,
-                      box.lo.y + size.y * (j + 0.5) / places, box.hi.z + 1.0};
+  for (int j = 0; j < ground_places; ++j) {
+    for (int i = 0; i < ground_places; ++i) {
+      const Vec3 from{box.lo.x + size.x * (i + 0.5) / ground_places,
+                      box.lo.y + size.y * (j + 0.5) / ground_places, box.hi.z + 1.0};
       auto hit = scene.geometry.intersect({from, {0.0, 0.0, -1.0}});
       if (!hit) continue;
-      const auto index = static_cast<std::uint32_t>(j * places + i);
+      const auto index = static_cast<std::uint32_t>(j * ground_places + i);
       radiometry::resolve_map(scene, *hit, Sampler{map_draws, index});
       ++seen[{hit->material, scene.temperature.at(*hit).value}];
     }
@@ -48,8 +48,8 @@ struct GroundBlock {
   Spectrum reflectance, emission, black_body;
 };
 
-GroundBlock mean_of(const Seen& seen, const radiometry::SceneDescription& scene, const Lanes& lanes,
-                    Diagnostics& diagnostics) {
+GroundBlock mean_of(const GroundSeen& seen, const radiometry::SceneDescription& scene,
+                    const Lanes& lanes, Diagnostics& diagnostics) {
   GroundBlock mean{Spectrum{lanes.count()}, Spectrum{lanes.count()}, Spectrum{lanes.count()}};
   int all = 0;
   for (const auto& [what, count] : seen) all += count;
@@ -81,7 +81,7 @@ atmosphere::GroundLight ground_light(const radiometry::SceneDescription& scene,
                                      const GroundAbout& about,
                                      const std::vector<Micrometres>& wavelengths,
                                      Diagnostics& diagnostics) {
-  const Seen seen = look_down(scene);
+  const GroundSeen seen = look_down(scene);
   if (seen.empty() && !(about.reflectance && about.temperature)) {
     diagnostics.warn("the scene shows no surface from above: the ground about it counts as black");
   }

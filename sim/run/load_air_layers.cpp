@@ -5,6 +5,7 @@
 
 #include "atmosphere/make/levels.hpp"
 #include "atmosphere/particles/haze_profile.hpp"
+#include "core/constants.hpp"
 #include "core/text.hpp"
 #include "sim/files/band_tables.hpp"
 #include "sim/files/data_directory.hpp"
@@ -187,8 +188,7 @@ std::optional<AirTask> load_air_task(const Scenario& scenario, InputFiles& files
 
 ephemeris::AirAtSite air_at_site(const atmosphere::Layered& air) {
   const atmosphere::Level level = atmosphere::level_at(air.profile, air.ground_height_m);
-  constexpr double zero_celsius_k = 273.15;
-  return {level.pressure_hpa, level.temperature_k - zero_celsius_k};
+  return {level.pressure_hpa, level.temperature_k - si::zero_celsius};
 }
 
 }  // namespace nadir::sim

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "core/frame.hpp"
+#include "core/quantity.hpp"
 #include "radiometry/lamps/lamp_spectrum.hpp"
 #include "sim/files/ies_file.hpp"
 #include "sim/files/lamp_list.hpp"
@@ -18,19 +18,19 @@
 namespace nadir::sim {
 namespace {
 
-constexpr double per_degree = std::numbers::pi / 180.0;
 const Vec3 down{0.0, 0.0, -1.0};
 
 /// Clockwise about up, seen from above.
 Vec3 turned(Vec3 v, double yaw_deg) {
-  const double s = std::sin(yaw_deg * per_degree), c = std::cos(yaw_deg * per_degree);
+  const double s = std::sin(yaw_deg * radians_per_degree),
+               c = std::cos(yaw_deg * radians_per_degree);
   return {v.x * c + v.y * s, v.y * c - v.x * s, v.z};
 }
 
 /// The level direction of azimuth `yaw_deg`, tilted as straight down is tilted to `axis`: the least
 /// rotation that does so (Rodrigues). For an axis straight up it stays level.
 Vec3 side_of(Vec3 axis, double yaw_deg) {
-  const Vec3 level = direction_enu(yaw_deg * per_degree, 0.0);
+  const Vec3 level = direction_enu(yaw_deg * radians_per_degree, 0.0);
   const Vec3 v = cross(down, axis);
   const double one_plus_cos = 1.0 + dot(down, axis);
   if (one_plus_cos < 1e-12) return level;
@@ -155,7 +155,7 @@ class LampReader {
     if (photometry.table) return photometry.table;
     const auto* spot = std::get_if<SpotLampInput>(&input.form);
     if (spot == nullptr) return radiometry::CosinePower{};
-    return radiometry::CosinePower{spot->cosine_power, spot->half_angle_deg * per_degree};
+    return radiometry::CosinePower{spot->cosine_power, spot->half_angle_deg * radians_per_degree};
   }
 
   [[nodiscard]] radiometry::AreaLamp area_lamp(const AreaLampInput& input, const Stand& stand,

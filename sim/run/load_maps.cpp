@@ -18,7 +18,7 @@ using materials::MaterialMap;
 /// Fractions are printed with few decimals: 1e-3 forgives that, and is below what anyone measures.
 constexpr double fraction_tolerance = 1e-3;
 
-std::uint32_t index(int material) { return static_cast<std::uint32_t>(material); }
+std::uint32_t material_index(int material) { return static_cast<std::uint32_t>(material); }
 
 class MapReader {
  public:
@@ -43,7 +43,7 @@ class MapReader {
     std::vector<double> known;
     for (const ChoicesInput::Choice& choice : rule.choices) {
       layer_of.emplace(choice.value, static_cast<std::uint16_t>(map_.materials.size()));
-      map_.materials.push_back(index(choice.material));
+      map_.materials.push_back(material_index(choice.material));
       known.push_back(choice.value);
     }
     map_.choice.reserve(raster.values.size());
@@ -73,7 +73,7 @@ class MapReader {
     std::vector<Raster> bands;
     for (const FractionsInput::Fraction& fraction : rule.fractions) {
       bands.push_back(read_raster(input_.raster, fraction.band));
-      map_.materials.push_back(index(fraction.material));
+      map_.materials.push_back(material_index(fraction.material));
     }
     place(bands.front());
     const std::size_t pixels = bands.front().values.size();
@@ -112,7 +112,7 @@ class MapReader {
     place(raster);
     std::vector<double> reflectance;
     for (const int material : rule.materials) {
-      map_.materials.push_back(index(material));
+      map_.materials.push_back(material_index(material));
       reflectance.push_back(materials_[static_cast<std::size_t>(material)].reflectance->mean(
           Micrometres{rule.band_low_um}, Micrometres{rule.band_high_um}));
     }

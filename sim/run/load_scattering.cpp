@@ -1,13 +1,12 @@
-#include <numbers>
 #include <utility>
+
+#include "core/quantity.hpp"
 
 #include "sim/run/load_scattering.hpp"
 
 namespace nadir::sim {
 
-namespace {
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-}  // namespace
+namespace {}  // namespace
 
 /// One function a model. Curves of models must cover the wavelengths: extrapolated, a refractive
 /// index would be of another substance.

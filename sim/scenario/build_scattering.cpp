@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <numbers>
 
+#include "core/quantity.hpp"
 #include "sim/scenario/build_material.hpp"
 
 namespace nadir::sim {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 SpectralInput spectrum(const CheckedElement& element, const char* attribute) {
   return element.value<SpectralInput>(attribute);

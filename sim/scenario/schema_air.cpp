@@ -4,7 +4,6 @@ namespace nadir::sim {
 namespace {
 
 SpectralType radiance() { return {from_to(0.0, 1e9)}; }
-SpectralType fraction() { return {from_to(0.0, 1.0)}; }
 
 Attribute ground_reflectance() {
   return optional("ground_reflectance", fraction(), "",

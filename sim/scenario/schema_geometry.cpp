@@ -6,7 +6,7 @@ namespace {
 /// Whether objects stand in the scene, or in the axes of a prototype that a list places.
 enum class Where { scene, prototype };
 
-Attribute material() {
+Attribute material_name() {
   return required("material", NameType{}, "", "Name of one of the scenario's materials.");
 }
 Attribute on_terrain(const std::string& doc) {
@@ -54,22 +54,23 @@ std::vector<ElementType> objects(Where where) {
   return {
       mesh,
       object(where, "sphere", "A ball around the object's origin.",
-             {material(), required("radius_m", size, "m", "Radius.")}),
+             {material_name(), required("radius_m", size, "m", "Radius.")}),
       object(where, "disc", "A flat disc around the object's origin.",
-             {material(), required("radius_m", size, "m", "Radius."),
+             {material_name(), required("radius_m", size, "m", "Radius."),
               defaulted("normal", VectorType{from_to(-1.0, 1.0), false}, "", "0 0 1",
                         "Direction of its upper side; any length but 0.")}),
       object(
           where, "box", "A box with sides along the object's axes.",
-          {material(),
+          {material_name(),
            required("lo_m", VectorType{coordinate(), false}, "m", "Corner of least x, y, z."),
            required("hi_m", VectorType{coordinate(), false}, "m", "Corner of greatest x, y, z.")}),
-      object(where, "plane", "A level rectangle around the object's origin.",
-             {material(), required("size_x_m", size, "m", "Along x (east, before it is turned)."),
-              required("size_y_m", size, "m", "Along y (north, before it is turned).")}),
+      object(
+          where, "plane", "A level rectangle around the object's origin.",
+          {material_name(), required("size_x_m", size, "m", "Along x (east, before it is turned)."),
+           required("size_y_m", size, "m", "Along y (north, before it is turned).")}),
       object(
           where, "cylinder", "A tube from base to top.",
-          {material(), required("radius_m", size, "m", "Radius."),
+          {material_name(), required("radius_m", size, "m", "Radius."),
            defaulted("base_m", VectorType{coordinate(), false}, "m", "0 0 0", "Centre of one end."),
            required("top_m", VectorType{coordinate(), false}, "m", "Centre of the other end."),
            defaulted("capped", boolean(), "", "false", "Discs close both ends.")}),
@@ -122,7 +123,7 @@ std::vector<ElementType> schema_of_geometry() {
        .attributes = {required("raster", PathType{}, "",
                                "Any raster of heights in m that GDAL "
                                "reads."),
-                      material(),
+                      material_name(),
                       defaulted("height_offset_m", from_to(-1e4, 1e4), "m", "0",
                                 "Added to every height: the raster's datum above the ellipsoid."),
                       optional("name", NameType{}, "", "the element's name", "For reports.")}},
@@ -133,7 +134,7 @@ std::vector<ElementType> schema_of_geometry() {
        .name = "part",
        .doc = "A part of a mesh and what it is made of.",
        .attributes = {required("name", TextType{}, "", "As in the mesh's file (OBJ: usemtl)."),
-                      material()}});
+                      material_name()}});
   all.push_back(instances(Where::scene));
   for (ElementType& type : objects(Where::prototype)) all.push_back(std::move(type));
   all.push_back(instances(Where::prototype));

@@ -3,8 +3,6 @@
 namespace nadir::sim {
 namespace {
 
-SpectralType fraction() { return {from_to(0.0, 1.0)}; }
-
 /// What a material of a scenario and one of a library have in common.
 std::vector<Attribute> optical() {
   return {optional("reflectance", fraction(), "", "1 - emissivity - transmittance",

@@ -33,6 +33,8 @@ inline NumberType above_to(double min, double max) { return {min, max, true, fal
 inline NumberType coordinate() { return from_to(-1e8, 1e8); }
 /// From 0 K to the hottest black body for which the Planck function is tested.
 inline NumberType temperature() { return from_to(0.0, 6000.0); }
+/// A reflectance, an albedo: a number or a spectrum.
+inline SpectralType fraction() { return {from_to(0.0, 1.0)}; }
 inline NumberType latitude() { return from_to(-90.0, 90.0); }
 inline NumberType longitude() { return from_to(-180.0, 360.0); }
 inline NumberType full_turn() { return from_to(-360.0, 360.0); }

@@ -70,7 +70,7 @@ std::string fallback_text(const Attribute& attribute) {
 }
 
 /// `*` would begin italics.
-std::string plain(const std::string& text) {
+std::string stars_escaped(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '*' ? std::string{"\\*"} : std::string{c};
   return out;
@@ -82,13 +82,13 @@ std::string type_text(const Schema& table, const ElementType& type) {
   if (type.attributes.empty()) return text;
   text += "\n| attribute | value | unit | without it | meaning |\n|---|---|---|---|---|\n";
   for (const Attribute& a : type.attributes) {
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", a.name, plain(expectation(a.type)),
-                        a.unit, fallback_text(a), a.doc);
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", a.name,
+                        stars_escaped(expectation(a.type)), a.unit, fallback_text(a), a.doc);
   }
   return text;
 }
 
-constexpr const char* head = R"(# Scenario files: every element and attribute
+constexpr const char* reference_head = R"(# Scenario files: every element and attribute
 
 Written by `nadir schema --reference` from the table that the reader itself follows; do not edit.
 
@@ -103,7 +103,7 @@ carries `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"` and
 }  // namespace
 
 std::string write_reference() {
-  std::string text = head;
+  std::string text = reference_head;
   for (const ElementType& type : schema().types()) text += type_text(schema(), type);
   return text;
 }

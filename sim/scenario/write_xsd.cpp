@@ -7,7 +7,7 @@
 namespace nadir::sim {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string xml_escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '&')
@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string facet(const char* name, const std::string& value) {
-  return fmt::format("<xs:{} value=\"{}\"/>", name, escaped(value));
+  return fmt::format("<xs:{} value=\"{}\"/>", name, xml_escaped(value));
 }
 
 std::string restriction(const std::string& base, const std::string& facets) {
@@ -100,7 +100,7 @@ struct TypeWriter {
 };
 
 std::string documentation(const std::string& text) {
-  return "<xs:annotation><xs:documentation>" + escaped(text) +
+  return "<xs:annotation><xs:documentation>" + xml_escaped(text) +
          "</xs:documentation></xs:annotation>";
 }
 
@@ -110,7 +110,7 @@ std::string attribute_text(const Attribute& attribute) {
   if (!attribute.unit.empty()) doc += " [" + attribute.unit + "]";
   if (attribute.presence == Presence::required) use = " use=\"required\"";
   if (attribute.presence == Presence::defaulted) {
-    use = " default=\"" + escaped(attribute.fallback) + "\"";
+    use = " default=\"" + xml_escaped(attribute.fallback) + "\"";
   }
   if (attribute.presence == Presence::optional) doc += " Without it: " + attribute.fallback + ".";
   return fmt::format("    <xs:attribute name=\"{}\"{}>\n      {}\n      {}\n    </xs:attribute>\n",
@@ -123,7 +123,7 @@ std::string element_text(const Schema& table, const Child& child, const char* oc
   return fmt::format("      <xs:element name=\"{}\" type=\"{}\"{}/>\n", type.name, type.id, occurs);
 }
 
-std::string children_text(const Schema& table, const ElementType& type) {
+std::string children_xsd(const Schema& table, const ElementType& type) {
   if (type.content == Content::nothing) return {};
   const bool record = type.content == Content::record;
   std::string open = record ? "xs:all" : "xs:choice";
@@ -137,15 +137,15 @@ std::string children_text(const Schema& table, const ElementType& type) {
   return text + (record ? "    </xs:all>\n" : "    </xs:choice>\n");
 }
 
-std::string type_text(const Schema& table, const ElementType& type) {
+std::string type_xsd(const Schema& table, const ElementType& type) {
   std::string text =
       fmt::format("\n  <xs:complexType name=\"{}\">\n    {}\n", type.id, documentation(type.doc));
-  text += children_text(table, type);
+  text += children_xsd(table, type);
   for (const Attribute& attribute : type.attributes) text += attribute_text(attribute);
   return text + "  </xs:complexType>\n";
 }
 
-constexpr const char* head = R"(<?xml version="1.0" encoding="UTF-8"?>
+constexpr const char* xsd_head = R"(<?xml version="1.0" encoding="UTF-8"?>
 <!-- Scenarios and material libraries of Nadir. Written by `nadir schema` from the table that the
      reader itself follows; do not edit. -->
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
@@ -167,12 +167,12 @@ constexpr const char* head = R"(<?xml version="1.0" encoding="UTF-8"?>
 
 std::string write_xsd() {
   const Schema& table = schema();
-  std::string text = head;
+  std::string text = xsd_head;
   for (const char* root : {scenario_root, library_root}) {
     const ElementType& type = table.type(root);
     text += fmt::format("  <xs:element name=\"{}\" type=\"{}\"/>\n", type.name, type.id);
   }
-  for (const ElementType& type : table.types()) text += type_text(table, type);
+  for (const ElementType& type : table.types()) text += type_xsd(table, type);
   return text + "</xs:schema>\n";
 }
 

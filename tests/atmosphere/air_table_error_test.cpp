@@ -12,7 +12,7 @@ namespace {
 using namespace nadir;
 using namespace nadir::atmosphere;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Air and haze: vertical optical depths 0.1 with 8 km and 0.25 with 1.2 km of scale height.
 double extinction(double z) {

@@ -18,7 +18,7 @@ namespace {
 using namespace nadir;
 using namespace nadir::atmosphere;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double d(float value) { return static_cast<double>(value); }
 

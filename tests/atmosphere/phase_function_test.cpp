@@ -14,7 +14,7 @@ using atmosphere::PhaseFunction;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A fog's: a forward peak 2 degrees wide, a bow at 140 degrees.
 PhaseFunction peaked() {

@@ -12,7 +12,7 @@ namespace {
 
 using namespace nadir::atmosphere;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double endless_m = std::numeric_limits<double>::infinity();
 
 /// Height and cosine at a way along a line, from its coordinates in long double: 1e-12 m.
 PathPoint by_coordinates(PathPoint start, double way_m) {
@@ -27,7 +27,7 @@ PathPoint by_coordinates(PathPoint start, double way_m) {
 }
 
 /// Levels every kilometre to 50 km, then to 100 km, from the top.
-std::vector<double> levels() {
+std::vector<double> shell_levels() {
   std::vector<double> z{100e3, 70e3};
   for (int km = 50; km >= 0; --km) z.push_back(1e3 * km);
   return z;
@@ -46,7 +46,7 @@ struct Air {
   }
 };
 
-double total(const std::vector<double>& values) {
+double sum_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double v : values) sum += v;
   return sum;
@@ -106,10 +106,10 @@ TEST_CASE("ways end at the ground, at the top, or miss the air", "[atmosphere][p
 }
 
 TEST_CASE("the pieces of a path join and add up", "[atmosphere][paths]") {
-  const auto z = levels();
+  const auto z = shell_levels();
   for (const double height_m : {0.0, 1e-3, 1000.0, 1500.0, 50e3, 99e3, 100e3}) {
     for (const double mu : {-1.0, -0.6, -0.1, -0.01, -1e-3, 0.0, 1e-6, 0.3, 1.0}) {
-      for (const double length_m : {1e-3, 700.0, 3e4, infinite}) {
+      for (const double length_m : {1e-3, 700.0, 3e4, endless_m}) {
         CAPTURE(height_m, mu, length_m);
         double way = 0.0;
         PathPoint at{height_m, mu};
@@ -135,12 +135,12 @@ TEST_CASE("the pieces of a path join and add up", "[atmosphere][paths]") {
 }
 
 TEST_CASE("a path that grazes a level stays above it", "[atmosphere][paths]") {
-  const auto z = levels();
+  const auto z = shell_levels();
   // lowest point 1 mm above the level at 10 km, seen from 20 km
   const double r = earth_radius_m + 20e3, lowest = earth_radius_m + 10e3 + 1e-3;
   const double mu = -std::sqrt((r - lowest) * (r + lowest)) / r;
-  const auto pieces = path_through(z, 20e3, mu, infinite);
-  double least = infinite;
+  const auto pieces = path_through(z, 20e3, mu, endless_m);
+  double least = endless_m;
   for (const PathPiece& p : pieces) least = std::min({least, p.height_in_m, p.height_out_m});
   CHECK(least == Approx(10e3 + 1e-3).epsilon(0).margin(1e-8));
   // ten layers down, all back up, and 10 to 20 km twice: the lowest layer in two pieces
@@ -159,7 +159,7 @@ TEST_CASE("a vertical body is met through every depth above", "[atmosphere][path
 
 // The same sum over the pieces of a path: another way through the code.
 TEST_CASE("slant depths are those along the path to the body", "[atmosphere][paths]") {
-  const auto z = levels();
+  const auto z = shell_levels();
   std::vector<double> depth;
   for (std::size_t k = 0; k + 1 < z.size(); ++k) depth.push_back(0.01 * static_cast<double>(k + 1));
   for (const double mu0 : {-0.2, -0.09, -0.03, -1e-3, 0.0, 1e-3, 0.2, 1.0}) {
@@ -171,7 +171,7 @@ TEST_CASE("slant depths are those along the path to the body", "[atmosphere][pat
         continue;
       }
       double sum = 0.0;
-      for (const PathPiece& p : path_through(z, z[level], mu0, infinite)) {
+      for (const PathPiece& p : path_through(z, z[level], mu0, endless_m)) {
         const auto k = static_cast<std::size_t>(p.layer);
         sum += depth[k] * p.length_m / (z[k] - z[k + 1]);
       }
@@ -190,7 +190,7 @@ TEST_CASE("an exponential atmosphere has Chapman's air mass", "[atmosphere][path
   const double horizontal = slant_depths(air.level_m, air.depth, 0.0).back();
   const double expected = std::sqrt(0.5 * std::numbers::pi * x) * (1.0 + 3.0 / (8.0 * x));
   CHECK(horizontal == Approx(expected).epsilon(1e-3));
-  CHECK(total(air.depth) == Approx(1.0).epsilon(1e-6));
+  CHECK(sum_of(air.depth) == Approx(1.0).epsilon(1e-6));
   // By quadrature over height at 80 degrees, in the variable z = scale * t^2.
   const double mu0 = std::cos(80.0 * std::numbers::pi / 180.0);
   double integral = 0.0;
@@ -218,7 +218,7 @@ TEST_CASE("air masses are those of Kasten and Young", "[atmosphere][paths]") {
     CAPTURE(elevation);
     const double sine = std::sin(elevation * std::numbers::pi / 180.0);
     const double published = 1.0 / (sine + 0.50572 * std::pow(elevation + 6.07995, -1.6364));
-    CHECK(slant_depths(air.level_m, air.depth, sine).back() / total(air.depth) ==
+    CHECK(slant_depths(air.level_m, air.depth, sine).back() / sum_of(air.depth) ==
           Approx(published).epsilon(0.01));
   }
   // 38 on the horizon for the bent ray; the straight one goes through less.
