@@ -5,6 +5,7 @@
 
 #include "air_table_support.hpp"
 #include "core/error.hpp"
+#include "random_bytes.hpp"
 #include "sim/files/air_table_file.hpp"
 #include "sim/files/modtran_csv.hpp"
 #include "sim/files/modtran_tape7.hpp"
@@ -16,25 +17,9 @@ using namespace nadir::sim;
 
 namespace {
 
-/// The small generator of G. Marsaglia, "Xorshift RNGs", J. Stat. Softw. 8(14), 2003: the tests
-/// need the same bytes on every machine.
-class Bytes {
- public:
-  explicit Bytes(std::uint32_t seed) : state_{seed} {}
-  std::size_t below(std::size_t bound) {
-    state_ ^= state_ << 13U;
-    state_ ^= state_ >> 17U;
-    state_ ^= state_ << 5U;
-    return state_ % bound;
-  }
-
- private:
-  std::uint32_t state_;
-};
-
 /// One to three edits: a byte changed to any other or to one that means something, a piece cut out
 /// or doubled.
-std::string mutated(std::string text, Bytes& random) {
+std::string mutated(std::string text, sim::support::RandomBytes& random) {
   const std::string meaningful = "=.,-+eExX0123456789 \n\t#_@\xFF";
   for (std::size_t edits = 1 + random.below(3); edits > 0 && !text.empty(); --edits) {
     const std::size_t at = random.below(text.size());
@@ -61,7 +46,7 @@ std::string mutated(std::string text, Bytes& random) {
 /// exception, or a crash, fails the test; the sanitizers watch it in their build.
 int taken(const std::string& good, const std::function<void(const std::string&)>& read) {
   read(good);
-  Bytes random{20260621};
+  sim::support::RandomBytes random{20260621};
   int count = 0;
   for (int i = 0; i < 400; ++i) {
     const std::string text = mutated(good, random);

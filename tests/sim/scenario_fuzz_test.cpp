@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "random_bytes.hpp"
 #include "scenario_support.hpp"
 #include "support/catch.hpp"
 
@@ -9,25 +10,9 @@ using namespace nadir;
 
 namespace {
 
-/// The small generator of G. Marsaglia, "Xorshift RNGs", J. Stat. Softw. 8(14), 2003: the tests
-/// need the same bytes on every machine.
-class Bytes {
- public:
-  explicit Bytes(std::uint32_t seed) : state_{seed} {}
-  std::uint32_t below(std::size_t bound) {
-    state_ ^= state_ << 13U;
-    state_ ^= state_ >> 17U;
-    state_ ^= state_ << 5U;
-    return state_ % static_cast<std::uint32_t>(bound);
-  }
-
- private:
-  std::uint32_t state_;
-};
-
 /// One to four edits: a byte changed to any other or to one that means something in XML, a piece
 /// cut out, doubled or moved.
-std::string mutated(std::string text, Bytes& random) {
+std::string mutated(std::string text, sim::support::RandomBytes& random) {
   const std::string meaningful = "<>/=\"'& \t\n!-?[].,0123456789eExX#;:\xFF";
   for (std::uint32_t edits = 1 + random.below(4); edits > 0 && !text.empty(); --edits) {
     const std::size_t at = random.below(text.size());
@@ -76,7 +61,7 @@ bool taken_or_told(const std::string& text) {
 TEST_CASE("a damaged scenario is taken or its mistakes are told with their lines",
           "[scenario][fuzz]") {
   const std::string good = GENERATE(test::minimal_text(), test::full_text());
-  Bytes random{20260621};
+  sim::support::RandomBytes random{20260621};
   int taken = 0;
   for (int i = 0; i < 1500; ++i) taken += taken_or_told(mutated(good, random)) ? 1 : 0;
   // Some edits fall into comments, blanks or titles: both outcomes must have been met.
@@ -92,7 +77,7 @@ TEST_CASE("what the reader takes of damaged scenarios the XML schema takes as we
     return;
   }
   const test::TemporaryFolder folder;
-  Bytes random{14};
+  sim::support::RandomBytes random{14};
   std::string command =
       std::string{"xmllint --noout --schema "} + NADIR_SOURCE_DIR + "/scenes/schema/nadir.xsd";
   int taken = 0;
