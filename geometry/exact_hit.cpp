@@ -11,10 +11,6 @@ namespace {
 /// exactly there; what happens elsewhere must not depend on it.
 constexpr double on_edge = 1e-6;
 
-struct Triangle {
-  Vec3 a, b, c;
-};
-
 Vec3 vertex(const Item& item, std::uint32_t index) {
   const float* v = item.vertices + 3 * std::size_t{index};
   return {v[0], v[1], v[2]};
@@ -26,6 +22,18 @@ Triangle triangle(const Item& item, const std::optional<Affine>& placement,
   Triangle t{vertex(item, i[0]), vertex(item, i[1]), vertex(item, i[2])};
   if (placement) t = {placement->point(t.a), placement->point(t.b), placement->point(t.c)};
   return t;
+}
+
+ExactHit on_triangle(const Triangle& tri, Vec2 uv) {
+  const Vec3 e1 = tri.b - tri.a, e2 = tri.c - tri.a;
+  ExactHit hit;
+  hit.position = tri.a + uv.x * e1 + uv.y * e2;
+  hit.normal = cross(e1, e2);
+  hit.uv = uv;
+  if (std::min({uv.x, uv.y, 1.0 - uv.x - uv.y}) < on_edge) {
+    hit.inward = (e1 + e2) / 3.0 - uv.x * e1 - uv.y * e2;
+  }
+  return hit;
 }
 
 /// Barycentric coordinates inside the triangle: those of the double ray, or where that passes just
@@ -48,15 +56,19 @@ std::optional<ExactHit> hit_triangle(const RayQuery& query, const Triangle& tri,
   if (!(dot(e2, q) / determinant > 0.0)) return std::nullopt;  // the plane lies behind the origin
   const Vec2 uv =
       inside({dot(from_a, p) / determinant, dot(query.direction, q) / determinant}, found);
-  ExactHit hit;
-  hit.position = tri.a + uv.x * e1 + uv.y * e2;
+  ExactHit hit = on_triangle(tri, uv);
   hit.t = dot(hit.position - query.origin, query.direction);
-  hit.normal = cross(e1, e2);
-  hit.uv = uv;
-  if (std::min({uv.x, uv.y, 1.0 - uv.x - uv.y}) < on_edge) {
-    hit.inward = (e1 + e2) / 3.0 - uv.x * e1 - uv.y * e2;
-  }
   if (!(hit.t > 0.0 && hit.t <= query.t_max)) return std::nullopt;
+  return hit;
+}
+
+ExactHit in_scene(const ShapeHit& local, const Affine& to_scene, const Affine& from_scene) {
+  ExactHit hit;
+  hit.t = local.t;
+  hit.position = to_scene.point(local.position);
+  hit.normal = from_scene.linear.transposed() * local.normal;
+  hit.uv = local.uv;
+  hit.face = local.face;
   return hit;
 }
 
@@ -70,15 +82,46 @@ std::optional<ExactHit> hit_shape(const RayQuery& query, const PlacedShape& plac
   const auto local = first_hit(placed.shape, from_scene.point(query.origin),
                                from_scene.vector(query.direction), query.t_max);
   if (!local) return std::nullopt;
-  ExactHit hit;
-  hit.t = local->t;
-  hit.position = to_scene.point(local->position);
-  hit.normal = from_scene.linear.transposed() * local->normal;
-  hit.uv = local->uv;
-  return hit;
+  return in_scene(*local, to_scene, from_scene);
+}
+
+void turn_outward(ExactHit& hit) {
+  if (hit.item->shape) return;
+  const bool turned = hit.instance && hit.instance->mirrored;
+  if (turned != hit.item->mirrored) hit.normal = -hit.normal;
+}
+
+std::optional<Affine> placement_of(const Scene::Data& data, const Instance* instance) {
+  if (!instance) return std::nullopt;
+  return data.placement(*instance);
 }
 
 }  // namespace
+
+Triangle triangle_of(const Scene::Data& data, const FacetPlace& facet) {
+  return triangle(*facet.item, placement_of(data, facet.instance), facet.number);
+}
+
+Affine shape_to_scene(const Scene::Data& data, const FacetPlace& facet) {
+  const Affine& to_scene = facet.item->shape->to_scene;
+  return facet.instance ? data.placement(*facet.instance) * to_scene : to_scene;
+}
+
+ExactHit exact_place(const Scene::Data& data, const FacetPlace& facet, Vec2 uv) {
+  ExactHit hit;
+  if (facet.item->shape) {
+    const Affine to_scene = shape_to_scene(data, facet);
+    const auto& shape = facet.item->shape->shape;
+    hit = in_scene(on_face(shape, facet.number, uv), to_scene, to_scene.inverse());
+  } else {
+    hit = on_triangle(triangle_of(data, facet), uv);
+    hit.primitive = facet.number;
+  }
+  hit.item = facet.item;
+  hit.instance = facet.instance;
+  turn_outward(hit);
+  return hit;
+}
 
 std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found) {
   const Scene::Data& data = *query.data;
@@ -88,18 +131,14 @@ std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found) {
   }
   const Item& item = instance ? data.prototypes[instance->prototype].items[found.geometry]
                               : data.items[found.geometry];
-  std::optional<Affine> placement;
-  if (instance) placement = data.placement(*instance);
+  const auto placement = placement_of(data, instance);
   auto hit = item.shape ? hit_shape(query, *item.shape, placement)
                         : hit_triangle(query, triangle(item, placement, found.primitive), found);
   if (!hit) return hit;
   hit->primitive = found.primitive;
   hit->item = &item;
   hit->instance = instance;
-  if (!item.shape) {
-    const bool turned = instance && instance->mirrored;
-    if (turned != item.mirrored) hit->normal = -hit->normal;
-  }
+  turn_outward(*hit);
   return hit;
 }
 

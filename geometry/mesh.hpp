@@ -16,6 +16,8 @@ struct TriangleMesh {
   std::vector<Vec2> texture;  ///< one for each position, or empty; a seam repeats its positions
   std::vector<std::uint32_t> parts;     ///< for each triangle an index into part_names
   std::vector<std::string> part_names;  ///< as in the file (OBJ: usemtl)
+  /// One for each position, or empty: any quantity (Scene::vertex_value).
+  std::vector<float> vertex_values{};
 };
 
 }  // namespace nadir::geometry

@@ -16,6 +16,7 @@ struct RayQuery : embree::Context {
   double t_max = std::numeric_limits<double>::infinity();  ///< from `origin`, m
   double t_exit = 0.0;    ///< where the ray leaves the bounds, from `origin`, m
   double set_back = 0.0;  ///< how far before `origin` Embree starts, m
+  std::uint32_t epochs = 0;
 };
 
 /// Which primitive Embree found, and its float barycentric coordinates.
@@ -32,6 +33,7 @@ struct ExactHit {
   Vec2 uv;
   Vec3 inward{};  ///< from an edge or vertex of a triangle to its centroid, m; elsewhere 0
   std::uint32_t primitive = 0;
+  std::uint32_t face = 0;  ///< of a shape
   const Item* item = nullptr;
   const Instance* instance = nullptr;
 };
@@ -39,6 +41,28 @@ struct ExactHit {
 /// What Embree found, computed in double. None if the double ray does not meet it with
 /// 0 < t <= t_max.
 [[nodiscard]] std::optional<ExactHit> exact_hit(const RayQuery& query, const Found& found);
+
+/// A triangle or the face of a shape.
+struct FacetPlace {
+  const Item* item = nullptr;
+  const Instance* instance = nullptr;
+  std::uint32_t number = 0;  ///< within the item
+};
+
+/// The place of a facet at given parameters; its t is 0.
+[[nodiscard]] ExactHit exact_place(const Scene::Data& data, const FacetPlace& facet, Vec2 uv);
+
+/// Corners of a triangle about the scene's centre, m.
+struct Triangle {
+  Vec3 a, b, c;
+};
+[[nodiscard]] Triangle triangle_of(const Scene::Data& data, const FacetPlace& facet);
+
+/// The way from a shape's own axes to those about the scene's centre.
+[[nodiscard]] Affine shape_to_scene(const Scene::Data& data, const FacetPlace& facet);
+
+/// All that a hit tells about its place, for a ray that came along `direction`.
+[[nodiscard]] Hit finished(const Scene::Data& data, const ExactHit& exact, Vec3 direction);
 
 /// Fills in the texture coordinates and the tangent of a hit on a mesh that has them.
 void add_texture(const Scene::Data& data, const ExactHit& exact, Hit& hit);

@@ -18,12 +18,6 @@ namespace {
 constexpr double set_back_steps = 2.0;
 constexpr double lift_steps = 6.0;
 
-/// Size of float rounding for rays about `point`: that of its coordinates, but no less than near
-/// the middle of the scene, where other vertices than the nearest set the rounding.
-double rounding_at(const Scene::Data& data, Vec3 point) {
-  return float_step * std::max(largest(point), data.extent / 32.0);
-}
-
 /// Cuts [enter, exit] to where lo <= origin + t direction <= hi.
 void clip(double origin, double direction, double lo, double hi, double& enter, double& exit) {
   if (direction == 0.0) {
@@ -54,6 +48,7 @@ bool start(const Scene::Data& data, const Ray& ray, RayQuery& query) {
   query.t_max = ray.max_distance - enter;
   query.t_exit = exit - enter;
   query.set_back = set_back_steps * rounding_at(data, query.origin);
+  query.epochs = ray.epochs;
   return true;
 }
 
@@ -70,7 +65,7 @@ RTCRay embree_ray(const RayQuery& query, Vec3 shift) {
   // Room for rounding at the far end: the double test decides.
   const double slack = 16.0 * float_step * (query.t_exit + query.data->extent);
   ray.tfar = static_cast<float>(query.t_exit + slack);
-  ray.mask = ~0U;
+  ray.mask = query.epochs;
   return ray;
 }
 
@@ -115,19 +110,28 @@ std::optional<ExactHit> trace(RayQuery& query, Vec3 shift, RTCFilterFunctionN fi
   return exact || filter ? exact : trace(query, shift, refuse_inexact);
 }
 
-Hit finished(const RayQuery& query, const ExactHit& exact) {
-  const Scene::Data& data = *query.data;
+std::uint64_t facet_number(const Scene::Data& data, const ExactHit& exact) {
+  const Item& item = *exact.item;
+  const std::uint64_t number = item.first_facet + (item.shape ? exact.face : exact.primitive);
+  if (!exact.instance) return number;
+  const Prototype& prototype = data.prototypes[exact.instance->prototype];
+  return prototype.first_facet + exact.instance->number * prototype.facets + number;
+}
+
+}  // namespace
+
+Hit finished(const Scene::Data& data, const ExactHit& exact, Vec3 direction) {
   Hit hit;
-  hit.distance = query.entered + exact.t;
   hit.position = exact.position + data.centre;
   hit.normal = normalised(exact.normal);
-  hit.back_face = dot(hit.normal, query.direction) > 0.0;
+  hit.back_face = dot(hit.normal, direction) > 0.0;
   if (hit.back_face) hit.normal = -hit.normal;
   hit.uv = exact.uv;
   hit.material = exact.item->material_of(exact.primitive);
   hit.object = exact.instance ? exact.instance->object : exact.item->object;
   hit.instance = exact.instance ? exact.instance->number : 0;
   hit.primitive = exact.primitive;
+  hit.facet = facet_number(data, exact);
   // The second term matters only for a tiny scene far from the origin of its axes.
   hit.lift =
       std::max(lift_steps * rounding_at(data, exact.position), 0x1.0p-48 * largest(hit.position));
@@ -137,8 +141,6 @@ Hit finished(const RayQuery& query, const ExactHit& exact) {
   return hit;
 }
 
-}  // namespace
-
 Scene::Scene(std::shared_ptr<const Data> data) : data_{std::move(data)} {}
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const {
@@ -147,7 +149,9 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
   const Tries tries{query};
   for (int i = 0; i < tries.count; ++i) {
     if (const auto exact = trace(query, tries.shift(i), nullptr)) {
-      return finished(query, *exact);
+      Hit hit = finished(*data_, *exact, query.direction);
+      hit.distance = query.entered + exact->t;
+      return hit;
     }
   }
   return std::nullopt;

@@ -9,11 +9,17 @@
 
 namespace nadir::geometry {
 
+/// Objects may be there at some times only: a scene has up to 32 epochs, one bit each. Bit 0 is the
+/// moment of the picture.
+inline constexpr std::uint32_t at_the_picture = 1U;
+inline constexpr std::uint32_t always = ~0U;
+
 /// A half line in scene axes (local east-north-up, metres, double). `direction` is a unit vector.
 struct Ray {
   Vec3 origin;
   Vec3 direction;
   double max_distance = std::numeric_limits<double>::infinity();
+  std::uint32_t epochs = at_the_picture;  ///< it meets what is there in any of these
 };
 
 /// Where a ray first meets a surface.
@@ -29,6 +35,9 @@ struct Hit {
   std::uint32_t object = 0;       ///< which object of the scenario, in the order of the file
   std::uint32_t instance = 0;     ///< number within an instance list, 0 where there is none
   std::uint32_t primitive = 0;    ///< triangle or shape within its mesh
+  std::uint64_t facet = 0;        ///< number of the triangle or face in the whole scene, every
+                                  ///< instance counted for itself
+  bool indirect = false;          ///< seen by way of another surface: details do not show
   bool back_face = false;         ///< the ray came from the side that the normal pointed away from
   double lift = 0.0;              ///< how far leaving_origin lifts a ray off the surface, m
   Vec3 inset{};  ///< how it moves it off an edge of the triangle as well, along the surface, m
@@ -36,6 +45,13 @@ struct Hit {
 
 struct Bounds {
   Vec3 lo, hi;
+};
+
+/// How long a facet is along its parameters, in scene axes.
+struct FacetSize {
+  bool triangle = true;
+  double u_m = 0.0;  ///< of a triangle its longest edge; of a face its greatest length along u
+  double v_m = 0.0;  ///< of a face: along v
 };
 
 /// All that rays can hit, ready to be traced from many threads. Cheap to copy (shared, immutable).
@@ -60,6 +76,16 @@ class Scene {
   [[nodiscard]] bool occluded(const Ray& ray) const;
   /// Axis-aligned bounds in scene axes; instances count with their prototype's box. Zero if empty.
   [[nodiscard]] Bounds bounds() const;
+  /// Triangles and faces of shapes (a box has six, a capped cylinder three), instances counted one
+  /// by one: Hit::facet is below this.
+  [[nodiscard]] std::uint64_t facets() const;
+  [[nodiscard]] FacetSize facet_size(std::uint64_t facet) const;
+  /// The hit that a ray straight upon the facet's outward side (or with `back` its other side) at
+  /// those parameters (Hit::uv) would have; its distance is 0.
+  [[nodiscard]] Hit on_facet(std::uint64_t facet, Vec2 uv, bool back) const;
+  /// What the mesh gives vertex by vertex (TriangleMesh::vertex_values), interpolated at a hit; NaN
+  /// where it gives nothing.
+  [[nodiscard]] double vertex_value(const Hit& hit) const;
   /// Triangles and shapes stored, and those that instances stand for.
   [[nodiscard]] std::uint64_t stored_primitives() const;
   [[nodiscard]] std::uint64_t represented_primitives() const;

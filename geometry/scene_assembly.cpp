@@ -33,10 +33,17 @@ SceneHandle new_scene(RTCDevice device) {
   return scene;
 }
 
-void attach(RTCScene scene, const GeometryHandle& geometry, std::size_t number) {
+/// Which geometry of its Embree scene something is, and when rays see it.
+struct Attached {
+  std::size_t number;
+  std::uint32_t epochs;
+};
+
+void attach(RTCScene scene, const GeometryHandle& geometry, Attached as) {
   rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetGeometryMask(geometry.get(), as.epochs);
   rtcCommitGeometry(geometry.get());
-  rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(number));
+  rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(as.number));
 }
 
 template <class T>
@@ -66,7 +73,7 @@ void attach_mesh(RTCDevice device, RTCScene scene, std::size_t number, const Gat
   for (const auto& triangle : from.triangles) {
     triangles = std::copy(triangle.begin(), triangle.end(), triangles);
   }
-  attach(scene, geometry, number);
+  attach(scene, geometry, {number, from.epochs});
 }
 
 void attach_shape(RTCDevice device, RTCScene scene, std::size_t number, const GatheredItem& from,
@@ -79,16 +86,20 @@ void attach_shape(RTCDevice device, RTCScene scene, std::size_t number, const Ga
                            to_scene.inverse(),
                            {from.bounds.lo - centre - room, from.bounds.hi - centre + room}};
   attach_shape_callbacks(geometry.get(), &item);
-  attach(scene, geometry, number);
+  attach(scene, geometry, {number, from.epochs});
 }
 
 /// Fills `items`, whose addresses Embree keeps, and attaches them as geometries 0, 1, ...
 void attach_items(RTCDevice device, RTCScene scene, const std::vector<GatheredItem>& from,
                   Vec3 centre, double padding, std::vector<Item>& items) {
   items.resize(from.size());
+  std::uint64_t facets = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     items[i].triangle_materials = from[i].triangle_materials;
     items[i].texture = from[i].texture;
+    items[i].vertex_values = from[i].vertex_values;
+    items[i].first_facet = facets;
+    facets += from[i].facets();
     items[i].material = from[i].material;
     items[i].object = from[i].object;
     items[i].mirrored = from[i].mirrored;
@@ -128,12 +139,14 @@ std::array<float, 12> columns_of(const Affine& placement, Vec3 prototype_centre,
 
 void attach_instances(Scene::Data& data, const GatheredPrototype& from, Vec3 prototype_centre) {
   const auto prototype = static_cast<std::uint32_t>(data.prototypes.size() - 1);
+  std::uint32_t epochs = 0;  // its items have their own: the instance's spares rays the way to them
+  for (const GatheredItem& item : from.items) epochs |= item.epochs;
   for (std::size_t i = 0; i < from.placements.size(); ++i) {
     const auto columns = columns_of(from.placements[i], prototype_centre, data.centre);
     const GeometryHandle geometry{rtcNewGeometry(data.device.get(), RTC_GEOMETRY_TYPE_INSTANCE)};
     rtcSetGeometryInstancedScene(geometry.get(), data.prototypes.back().scene.get());
     rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
-    attach(data.top.get(), geometry, data.items.size() + data.instances.size());
+    attach(data.top.get(), geometry, {data.items.size() + data.instances.size(), epochs});
     data.instances.push_back({prototype, from.object, static_cast<std::uint32_t>(i), false});
     // Of the rounded transform: it is the one that surfaces are placed by.
     Instance& instance = data.instances.back();
@@ -151,6 +164,10 @@ void add_prototype(Scene::Data& data, const GatheredPrototype& from) {
   attach_items(data.device.get(), prototype.scene.get(), from.items, centre, room, prototype.items);
   rtcCommitScene(prototype.scene.get());
   check(data.device.get(), "building a prototype");
+  for (const GatheredItem& item : from.items) prototype.facets += item.facets();
+  prototype.first_instance = data.instances.size();
+  prototype.first_facet = data.facets;
+  data.facets += prototype.facets * from.placements.size();
   attach_instances(data, from, centre);
 }
 
@@ -158,6 +175,7 @@ void count(Scene::Data& data, const SceneBuilder::State& state) {
   for (const GatheredItem& item : state.items) {
     data.stored += item.primitives();
     data.represented += item.primitives();
+    data.facets += item.facets();
   }
   for (const GatheredPrototype& prototype : state.prototypes) {
     std::uint64_t primitives = 0;
@@ -165,6 +183,23 @@ void count(Scene::Data& data, const SceneBuilder::State& state) {
     data.stored += primitives;
     data.represented += primitives * prototype.placements.size();
   }
+}
+
+bool has_epochs(const std::vector<GatheredItem>& items) {
+  return std::any_of(items.begin(), items.end(),
+                     [](const GatheredItem& item) { return item.epochs != always; });
+}
+
+/// Without masks Embree would show everything at all times, and say nothing.
+void check_masks(RTCDevice device, const SceneBuilder::State& state) {
+  bool needed = has_epochs(state.items);
+  for (const GatheredPrototype& prototype : state.prototypes) {
+    needed = needed || has_epochs(prototype.items);
+  }
+  if (!needed || rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) != 0) return;
+  throw std::runtime_error{
+      "this Embree was built without ray masks (EMBREE_RAY_MASK): objects cannot be there at some "
+      "times only"};
 }
 
 void set_bounds(Scene::Data& data, const SceneBuilder::State& state) {
@@ -191,6 +226,7 @@ Scene assemble(const SceneBuilder::State& state) {
   // Threads are TBB's affair. Without flush-to-zero: double arithmetic must not depend on callers.
   data->device = embree::Device{rtcNewDevice("threads=0,set_affinity=0")};
   if (!data->device) check(nullptr, "new device");
+  check_masks(data->device.get(), state);
   data->top = new_scene(data->device.get());
   count(*data, state);
   set_bounds(*data, state);

@@ -82,6 +82,21 @@ void set_texture(GatheredItem& item, const TriangleMesh& mesh) {
   }
 }
 
+void set_vertex_values(GatheredItem& item, const TriangleMesh& mesh) {
+  if (!mesh.vertex_values.empty() && mesh.vertex_values.size() != mesh.positions.size()) {
+    throw InputError{"the mesh has values for " + std::to_string(mesh.vertex_values.size()) +
+                     " of its " + std::to_string(mesh.positions.size()) + " vertices"};
+  }
+  const auto& values = mesh.vertex_values;
+  const auto bad =
+      std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+  if (bad != values.end()) {
+    throw InputError{"the value of vertex " + std::to_string(bad - values.begin()) +
+                     " is not finite"};
+  }
+  item.vertex_values = values;
+}
+
 void gather_mesh(GatheredItem& item, const TriangleMesh& mesh, const Affine& placement) {
   check_indices(mesh);
   item.triangles = mesh.triangles;
@@ -113,10 +128,12 @@ GatheredItem gather(const Surface& surface, const Affine& placement, std::uint32
   check_placement(placement);
   GatheredItem item;
   item.object = object;
+  item.epochs = surface.epochs;
   item.mirrored = placement.linear.determinant() < 0.0;
   if (const auto* mesh = std::get_if<TriangleMesh>(&surface.form)) {
     gather_mesh(item, *mesh, placement);
     set_texture(item, *mesh);
+    set_vertex_values(item, *mesh);
     set_materials(item, *mesh, surface.part_materials);
   } else {
     gather_shape(item, std::get<Shape>(surface.form), placement);

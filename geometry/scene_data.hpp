@@ -1,12 +1,14 @@
 #pragma once
 // Private to this folder: what a built scene holds.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/transform.hpp"
+#include "geometry/bounds.hpp"
 #include "geometry/embree.hpp"
 #include "geometry/scene.hpp"
 #include "geometry/shapes.hpp"
@@ -26,6 +28,8 @@ struct Item {
   const std::uint32_t* triangles = nullptr;       ///< three indices each, likewise
   std::vector<std::uint32_t> triangle_materials;  ///< empty where all have the first material
   std::vector<std::array<float, 2>> texture;      ///< by vertex; empty where the mesh has none
+  std::vector<float> vertex_values;               ///< likewise
+  std::uint64_t first_facet = 0;  ///< in the scene; in a prototype: among those of one instance
   std::uint32_t material = 0;
   std::uint32_t object = 0;
   bool mirrored = false;  ///< the placement turned the winding round
@@ -36,9 +40,13 @@ struct Item {
   }
 };
 
+/// Its instances follow one another, in the scene's list and in the numbers of their facets.
 struct Prototype {
   embree::SceneHandle scene;
   std::vector<Item> items;
+  std::uint64_t facets = 0;          ///< of one instance
+  std::uint64_t first_facet = 0;     ///< of the first instance, in the scene
+  std::uint64_t first_instance = 0;  ///< in the scene's list
 };
 
 /// A placement. Its transform is Embree's, from prototype axes (about the prototype's centre) to
@@ -61,7 +69,7 @@ struct Scene::Data {
   Bounds padded;        ///< about the centre, with room for float rounding
   Vec3 centre;          ///< scene axes
   double extent = 0.0;  ///< largest half extent, m
-  std::uint64_t stored = 0, represented = 0;
+  std::uint64_t stored = 0, represented = 0, facets = 0;
 
   [[nodiscard]] Affine placement(const Instance& instance) const {
     const auto index = items.size() + static_cast<std::size_t>(&instance - instances.data());
@@ -74,6 +82,13 @@ struct Scene::Data {
 
 /// One unit of float rounding at a coordinate of 1.
 inline constexpr double float_step = 0x1.0p-23;
+
+/// Size of float rounding for rays about `point` (from the scene's centre): that of its
+/// coordinates, but no less than near the middle of the scene, where other vertices than the
+/// nearest set the rounding.
+[[nodiscard]] inline double rounding_at(const Scene::Data& data, Vec3 point) {
+  return float_step * std::max(largest(point), data.extent / 32.0);
+}
 
 /// Callbacks through which Embree meets a shape; the user pointer is its Item.
 void attach_shape_callbacks(RTCGeometry geometry, const Item* item);

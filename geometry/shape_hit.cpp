@@ -83,7 +83,7 @@ std::optional<ShapeHit> hit(const Sphere& s, const Line& line, double t_max) {
                     s.centre + s.radius * normal,
                     normal,
                     {azimuth_fraction(normal.x, normal.y),
-                     std::acos(std::clamp(normal.z, -1.0, 1.0)) / std::numbers::pi}};
+                     std::atan2(std::hypot(normal.x, normal.y), normal.z) / std::numbers::pi}};
   }
   return std::nullopt;
 }
@@ -117,13 +117,14 @@ ShapeHit on_box_face(const Box& box, double t, Vec3 p, int face) {
   const Vec3 f{(p.x - box.lo.x) / size.x, (p.y - box.lo.y) / size.y, (p.z - box.lo.z) / size.z};
   const double side = face % 2 == 0 ? -1.0 : 1.0;
   const Vec3& face_plane = side < 0.0 ? box.lo : box.hi;
+  const auto number = static_cast<std::uint32_t>(face);
   switch (face / 2) {
     case 0:
-      return {t, {face_plane.x, p.y, p.z}, {side, 0.0, 0.0}, {f.y, f.z}};
+      return {t, {face_plane.x, p.y, p.z}, {side, 0.0, 0.0}, {f.y, f.z}, number};
     case 1:
-      return {t, {p.x, face_plane.y, p.z}, {0.0, side, 0.0}, {f.x, f.z}};
+      return {t, {p.x, face_plane.y, p.z}, {0.0, side, 0.0}, {f.x, f.z}, number};
     default:
-      return {t, {p.x, p.y, face_plane.z}, {0.0, 0.0, side}, {f.x, f.y}};
+      return {t, {p.x, p.y, face_plane.z}, {0.0, 0.0, side}, {f.x, f.y}, number};
   }
 }
 
@@ -161,8 +162,13 @@ struct Axis {
 };
 
 ShapeHit on_cylinder(const Cylinder& c, const Axis& axis, double t, Vec3 point, int face) {
-  if (face == base_face) return on_disc(t, point, c.base, -axis.direction, c.radius);
-  if (face == top_face) return on_disc(t, point, c.top, axis.direction, c.radius);
+  if (face != side_face) {
+    const double outward = face == base_face ? -1.0 : 1.0;
+    ShapeHit cap =
+        on_disc(t, point, face == base_face ? c.base : c.top, outward * axis.direction, c.radius);
+    cap.face = static_cast<std::uint32_t>(face);
+    return cap;
+  }
   const double along = dot(point - c.base, axis.direction);
   const Vec3 normal = normalised(point - c.base - along * axis.direction);
   const Frame frame = frame_about(axis.direction);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct Material {
   Scattering scattering = Lambertian{};
   std::shared_ptr<const ReliefMap> relief;  ///< bumps of the surface; null: smooth
   std::optional<SolverSettings> solver;     ///< none: the scenario's default
+  std::optional<std::uint32_t> shown_as{};  ///< products count it as that material of the scene
   SourceLocation where{};                   ///< in the user's files, for messages
 };
 

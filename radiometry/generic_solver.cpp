@@ -261,12 +261,13 @@ void GenericSolver::receive(const Ray& ray, const std::optional<Hit>& hit, Arriv
     add_sky(ray, arrival, sum);
     return;
   }
-  const Spectrum* constant = scene_->constant_emission(hit->material);
-  if (constant != nullptr) sum.add_product(arrival.factor, *constant, arrival.direct_share);
+  Spectrum scratch;
+  const Spectrum* even = scene_->even_emission(*hit, scratch);
+  if (even != nullptr) sum.add_product(arrival.factor, *even, arrival.direct_share);
   if (arrival.lights.seen && !scene_->lamps().empty()) add_lamp_surface(ray, *hit, arrival, sum);
-  if (constant != nullptr && arrival.kind != Kind::full) return;
+  if (even != nullptr && arrival.kind != Kind::full) return;
   const SurfacePoint point{*scene_, ray, *hit};
-  if (constant == nullptr) {
+  if (even == nullptr) {
     sum.add_product(arrival.factor, emission(*scene_, point), arrival.direct_share);
   }
   if (arrival.kind != Kind::full) return;

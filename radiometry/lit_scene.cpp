@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/frame.hpp"
+#include "radiometry/emission_rule.hpp"
 #include "spectral/coverage.hpp"
 #include "spectral/planck.hpp"
 
@@ -39,6 +40,24 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
   return targets;
 }
 
+/// How warm a material of varying temperature may be.
+Kelvin warmest_expected(const thermal::TemperatureField& field, std::size_t material) {
+  return field.solved(material) ? warmest_under_the_sun : field.range(material).hottest;
+}
+
+/// Whether a surface of that temperature is seen to emit at any lane.
+bool counts_somewhere(Kelvin temperature, const std::vector<Target>& targets,
+                      const spectral::Lanes& lanes) {
+  for (int lane = 0; lane < lanes.count(); ++lane) {
+    double irradiance = 0.0;
+    for (const Target& target : targets) {
+      irradiance += target.solid_angle * static_cast<double>(target.outside[lane]);
+    }
+    if (emission_counts(temperature, lanes[lane], SpectralIrradiance{irradiance})) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void resolve_map(const SceneDescription& scene, geometry::Hit& hit, const Sampler& numbers) {
@@ -60,20 +79,49 @@ LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnos
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     materials_.push_back(materials::bind(scene.materials[i], lanes_, diagnostics));
     const materials::BoundMaterial& bound = materials_.back();
-    const auto& source = std::get<thermal::ConstantTemperature>(scene.temperature.source(i));
-    black_body_.push_back(spectral::planck(lanes_, source.value));
-    constant_emission_.push_back(bound.own_emissivity * black_body_.back());
     if (scene.method == Method::generic) {
       plans_.emplace_back(bound, scene.materials[i].solver.value_or(scene.solver));
     }
     has_sheets_ |= bound.traits.straight;
   }
+  bind_temperatures();
+}
+
+void LitScene::bind_temperatures() {
+  const thermal::TemperatureField& field = scene_->temperature;
+  PlanckTable::Reach reach{Kelvin{1e9}, Kelvin{0.0}};
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const auto constant = field.constant(i);
+    const bool counts = !constant && counts_somewhere(warmest_expected(field, i), targets_, lanes_);
+    varies_.push_back(counts);
+    black_body_.push_back(spectral::planck(lanes_, constant.value_or(Kelvin{0.0})));
+    even_emission_.push_back(materials_[i].own_emissivity * black_body_.back());
+    if (!counts) continue;
+    reach = {std::min(reach.coldest, field.range(i).coldest),
+             std::max(reach.hottest, field.range(i).hottest)};
+  }
+  if (reach.hottest > Kelvin{0.0}) planck_.emplace(lanes_, reach);
+}
+
+Spectrum LitScene::black_body(const geometry::Hit& hit) const {
+  if (!varies_[hit.material]) return black_body_[hit.material];
+  return planck_->at(scene_->temperature.at(hit).value);
+}
+
+const Spectrum* LitScene::even_emission(const geometry::Hit& hit, Spectrum& scratch) const {
+  const materials::BoundMaterial& material = materials_[hit.material];
+  if (!material.constant_emissivity) return nullptr;
+  if (!varies_[hit.material]) return &even_emission_[hit.material];
+  scratch = material.own_emissivity * planck_->at(scene_->temperature.at(hit).value);
+  return &scratch;
 }
 
 std::optional<geometry::Hit> LitScene::intersect(const geometry::Ray& ray,
                                                  const Sampler& numbers) const {
   auto hit = scene_->geometry.intersect(ray);
-  if (hit) resolve_map(*scene_, *hit, numbers);
+  if (!hit) return hit;
+  resolve_map(*scene_, *hit, numbers);
+  hit->indirect = true;
   return hit;
 }
 

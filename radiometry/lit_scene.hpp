@@ -13,6 +13,7 @@
 #include "radiometry/generic_plan.hpp"
 #include "radiometry/lamps/bound_lamps.hpp"
 #include "radiometry/method.hpp"
+#include "radiometry/planck_table.hpp"
 #include "radiometry/sky_distribution.hpp"
 #include "radiometry/volumes/bound_volumes.hpp"
 #include "spectral/lanes.hpp"
@@ -74,13 +75,14 @@ class LitScene {
   [[nodiscard]] const materials::BoundMaterial& material(std::uint32_t index) const noexcept {
     return materials_[index];
   }
-  [[nodiscard]] const spectral::Spectrum& black_body(std::uint32_t material) const noexcept {
-    return black_body_[material];
-  }
+  /// Planck's radiance at the temperature of the surface that was hit.
+  [[nodiscard]] spectral::Spectrum black_body(const geometry::Hit& hit) const;
   /// What a surface emits in all directions alike; null where it depends on the direction.
-  [[nodiscard]] const spectral::Spectrum* constant_emission(std::uint32_t material) const noexcept {
-    return materials_[material].constant_emissivity ? &constant_emission_[material] : nullptr;
-  }
+  /// @param scratch  may be used for the result
+  [[nodiscard]] const spectral::Spectrum* even_emission(const geometry::Hit& hit,
+                                                        spectral::Spectrum& scratch) const;
+  /// Whether some surface emits what its place decides, and it matters at these lanes.
+  [[nodiscard]] bool emission_varies() const noexcept { return planck_.has_value(); }
   /// Bumps of a material's surface, or null.
   [[nodiscard]] const materials::ReliefMap* relief(std::uint32_t material) const noexcept {
     return scene_->materials[material].relief.get();
@@ -92,7 +94,8 @@ class LitScene {
   /// Some material lets light straight through: shadow rays must ask what they meet.
   [[nodiscard]] bool has_sheets() const noexcept { return has_sheets_; }
 
-  /// The first surface along the ray, its material drawn where a map says which.
+  /// The first surface along a ray from another surface or from a place in a volume, its material
+  /// drawn where a map says which.
   [[nodiscard]] std::optional<geometry::Hit> intersect(const geometry::Ray& ray,
                                                        const Sampler& numbers) const;
 
@@ -105,9 +108,14 @@ class LitScene {
   BoundVolumes volumes_;
   BoundLamps lamps_;
   std::vector<materials::BoundMaterial> materials_;
-  std::vector<spectral::Spectrum> black_body_;         // by material: Planck costs several rays
-  std::vector<spectral::Spectrum> constant_emission_;  // by material
-  std::vector<GenericPlan> plans_;                     // by material, for the generic solver only
+  void bind_temperatures();
+
+  // By material; of one whose temperature varies from place to place: 0 where that does not matter.
+  std::vector<spectral::Spectrum> black_body_;     // Planck costs several rays
+  std::vector<spectral::Spectrum> even_emission_;  // where it does not depend on direction
+  std::vector<bool> varies_;
+  std::optional<PlanckTable> planck_;  // where some temperature varies
+  std::vector<GenericPlan> plans_;     // by material, for the generic solver only
   bool has_sheets_ = false;
 };
 

@@ -133,8 +133,9 @@ void PathSolver::add_sky(Walk& walk) const {
 }
 
 void PathSolver::add_emission(Walk& walk, const SurfacePoint& point) const {
-  if (const auto* constant = scene_->constant_emission(point.hit().material)) {
-    walk.radiance->add(*constant * walk.throughput);
+  Spectrum scratch;
+  if (const Spectrum* even = scene_->even_emission(point.hit(), scratch)) {
+    walk.radiance->add(*even * walk.throughput);
   } else {
     walk.radiance->add(emission(*scene_, point) * walk.throughput);
   }

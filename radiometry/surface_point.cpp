@@ -101,10 +101,10 @@ double SurfacePoint::pdf(Vec3 towards) const noexcept {
          (agrees(twin, wi_twin) ? 0.0 : materials::pdf(model, wi_twin, wo_));
 }
 
-spectral::Spectrum emission(const LitScene& scene, const SurfacePoint& point) noexcept {
-  const std::uint32_t material = point.hit().material;
-  if (const auto* constant = scene.constant_emission(material)) return *constant;
-  return point.material().emissivity(point.wo()) * scene.black_body(material);
+spectral::Spectrum emission(const LitScene& scene, const SurfacePoint& point) {
+  spectral::Spectrum scratch;
+  if (const auto* even = scene.even_emission(point.hit(), scratch)) return *even;
+  return point.material().emissivity(point.wo()) * scene.black_body(point.hit());
 }
 
 }  // namespace nadir::radiometry

@@ -60,7 +60,6 @@ class SurfacePoint {
 };
 
 /// What the surface emits towards the ray's origin, W m^-2 sr^-1 um^-1.
-[[nodiscard]] spectral::Spectrum emission(const LitScene& scene,
-                                          const SurfacePoint& point) noexcept;
+[[nodiscard]] spectral::Spectrum emission(const LitScene& scene, const SurfacePoint& point);
 
 }  // namespace nadir::radiometry

@@ -40,6 +40,7 @@ ARROWS |= {"sim": EVERYTHING, "tests": EVERYTHING | {"support"}, "bench": EVERYT
 # Other libraries, by the start of the header's name, and the folders whose .cpp files may use them.
 LIBRARIES = {
     "atmosphere": r"Eigen/|(tbb|oneapi)/",
+    "thermal": r"(tbb|oneapi)/",
     "geometry": r"embree[34]/|GeographicLib/",
     "ephemeris": r"erfam?\.h$|GeographicLib/",
     "sim": r"(tbb|oneapi)/|tinyxml2\.h$|Imf|Imath|Iex|OpenEXR/|fmt/|nlohmann/|openssl/"

@@ -5,7 +5,7 @@
 #include "geometry/region.hpp"
 #include "materials/volume/bound_phase.hpp"
 #include "radiometry/volumes/grid_field.hpp"
-#include "radiometry/volumes/planck_table.hpp"
+#include "radiometry/planck_table.hpp"
 #include "radiometry/volumes/volume.hpp"
 #include "spectral/lanes.hpp"
 

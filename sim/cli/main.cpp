@@ -11,6 +11,7 @@
 #include "sim/cli/materials_command.hpp"
 #include "sim/cli/run_command.hpp"
 #include "sim/cli/schema_command.hpp"
+#include "sim/cli/temperature_command.hpp"
 #include "sim/cli/validate_command.hpp"
 
 namespace {
@@ -26,6 +27,7 @@ int run(int argc, char** argv) {
   nadir::sim::add_ephemeris_command(app);
   nadir::sim::add_materials_command(app);
   nadir::sim::add_schema_command(app);
+  nadir::sim::add_temperature_command(app);
   try {
     app.parse(argc, argv);
     return nadir::sim::exit_done;

@@ -12,7 +12,9 @@
 #include "core/diagnostics.hpp"
 #include "core/error.hpp"
 #include "materials/bound_material.hpp"
+#include "sim/files/atomic_file.hpp"
 #include "sim/files/data_directory.hpp"
+#include "sim/files/therm_values.hpp"
 #include "sim/run/load_materials.hpp"
 #include "sim/scenario/material_library.hpp"
 
@@ -97,6 +99,31 @@ void list_materials(MaterialsOptions options) {
   options.format == "json" ? print_json(rows) : print_table(rows);
 }
 
+struct ThermOptions {
+  std::filesystem::path file, output;
+};
+
+void convert_therm(const ThermOptions& options) {
+  const ThermValues values = read_therm(options.file);
+  fmt::print("{}\n", therm_report(values));
+  if (options.output.empty()) {
+    fmt::print("{}", therm_csv(values));
+    return;
+  }
+  write_file(options.output, therm_csv(values));
+  fmt::print("{}\n", options.output.string());
+}
+
+void add_therm_command(CLI::App& materials) {
+  auto options = std::make_shared<ThermOptions>();
+  CLI::App* command = materials.add_subcommand(
+      "therm", "Convert thermal values in calories, as material files for THERM have them");
+  command->add_option("file", options->file, "Material file")->required();
+  command->add_option("-o,--output", options->output,
+                      "Table of substances to write (CSV) [printed]");
+  command->callback([options] { convert_therm(*options); });
+}
+
 }  // namespace
 
 void add_materials_command(CLI::App& app) {
@@ -106,7 +133,11 @@ void add_materials_command(CLI::App& app) {
   command->add_option("--library", options->library, "Library file [the one that ships]");
   command->add_option("--format", options->format, "text or json [text]")
       ->check(CLI::IsMember({"text", "json"}));
-  command->callback([options] { list_materials(*options); });
+  add_therm_command(*command);
+  command->callback([options, command] {
+    // Called after the sub-command's own.
+    if (command->get_subcommands().empty()) list_materials(*options);
+  });
 }
 
 }  // namespace nadir::sim

@@ -1,11 +1,13 @@
 #include "sim/files/mesh_ply.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
+#include "core/constants.hpp"
 #include "sim/files/ply_header.hpp"
 
 namespace nadir::sim {
@@ -116,6 +118,17 @@ std::optional<TextureNames> texture_names(const Element& vertex) {
   return std::nullopt;
 }
 
+/// What a file calls a temperature of its vertices; the plain name counts as K.
+constexpr std::array<std::string_view, 3> temperature_names{"temperature_k", "temperature_c",
+                                                            "temperature"};
+
+std::string_view temperature_name(const Element& vertex) {
+  for (const std::string_view name : temperature_names) {
+    if (has_property(vertex, name, false)) return name;
+  }
+  return {};
+}
+
 /// The file ends before its header says.
 struct Truncated {};
 
@@ -130,6 +143,7 @@ class BodyReader {
       if (element.name != "vertex") continue;
       vertices_ = element.count;
       texture_names_ = texture_names(element);
+      temperature_name_ = temperature_name(element);
     }
     mesh_.part_names = {"default"};
     try {
@@ -147,38 +161,49 @@ class BodyReader {
     // Nothing to read, so that a huge count cannot keep us here.
     if (element.properties.empty()) return;
     for (std::uint64_t row = 0; row < element.count; ++row) {
-      Vec3 position;
-      Vec2 texture;
+      vertex_ = {};
       for (const Property& property : element.properties) {
         where_ = {&element, &property, row};
         if (element.name == "vertex") {
-          read_vertex_property(property, position, texture);
+          read_vertex_property(property);
         } else {
           read_property(property, element.name == "face");
         }
       }
       if (element.name != "vertex") continue;
-      mesh_.positions.push_back(position);
-      if (texture_names_) mesh_.texture.push_back(texture);
+      mesh_.positions.push_back(vertex_.position);
+      if (texture_names_) mesh_.texture.push_back(vertex_.texture);
+      if (!temperature_name_.empty()) mesh_.vertex_values.push_back(vertex_.kelvin);
     }
   }
 
-  void read_vertex_property(const Property& property, Vec3& position, Vec2& texture) {
+  void read_vertex_property(const Property& property) {
     if (property.list_count) return read_property(property, false);
     const double value = number(property.type);
-    double* const target = property.name == "x"   ? &position.x
-                           : property.name == "y" ? &position.y
-                           : property.name == "z" ? &position.z
-                                                  : texture_target(property.name, texture);
+    if (!temperature_name_.empty() && property.name == temperature_name_) {
+      return set_temperature(value);
+    }
+    double* const target = property.name == "x"   ? &vertex_.position.x
+                           : property.name == "y" ? &vertex_.position.y
+                           : property.name == "z" ? &vertex_.position.z
+                                                  : texture_target(property.name);
     if (!target) return;
     *target = value;
     if (!std::isfinite(value)) complain("expected a finite coordinate " + property.name);
   }
 
-  double* texture_target(const std::string& name, Vec2& texture) const {
+  double* texture_target(const std::string& name) {
     if (!texture_names_) return nullptr;
-    if (name == texture_names_->u) return &texture.x;
-    return name == texture_names_->v ? &texture.y : nullptr;
+    if (name == texture_names_->u) return &vertex_.texture.x;
+    return name == texture_names_->v ? &vertex_.texture.y : nullptr;
+  }
+
+  void set_temperature(double value) {
+    if (temperature_name_ == "temperature_c") value += si::zero_celsius;
+    vertex_.kelvin = static_cast<float>(value);
+    if (!std::isfinite(vertex_.kelvin)) {
+      complain("expected a finite " + std::string{temperature_name_});
+    }
   }
 
   void read_property(const Property& property, bool of_face) {
@@ -245,11 +270,29 @@ class BodyReader {
   FileIssues* issues_;
   std::uint64_t vertices_ = 0;
   std::optional<TextureNames> texture_names_;
+  std::string_view temperature_name_;  ///< empty where vertices have none
+  struct Vertex {
+    Vec3 position;
+    Vec2 texture;
+    float kelvin = 0.0F;
+  } vertex_;  ///< that is being read
   Where where_;
   std::vector<std::uint32_t> polygon_;
   bool polygon_good_ = true;
   geometry::TriangleMesh mesh_;
 };
+
+void check_temperatures(const Element& vertex, FileIssues& issues) {
+  std::string found;
+  int count = 0;
+  for (const Property& property : vertex.properties) {
+    const auto& names = temperature_names;
+    if (std::find(names.begin(), names.end(), property.name) == names.end()) continue;
+    found += (count++ == 0 ? "" : ", ") + property.name;
+    if (property.list_count) issues.add("the property " + property.name + " must not be a list");
+  }
+  if (count > 1) issues.add("vertices have more than one temperature: " + found);
+}
 
 void check_elements(const Header& header, FileIssues& issues) {
   bool vertices = false, faces = false;
@@ -258,6 +301,7 @@ void check_elements(const Header& header, FileIssues& issues) {
       vertices = has_property(element, "x", false) && has_property(element, "y", false) &&
                  has_property(element, "z", false);
       if (element.count > 0xFFFFFFFEU) issues.add("more than 4294967294 vertices");
+      check_temperatures(element, issues);
     }
     if (element.name == "face") {
       faces = has_property(element, "vertex_indices", true) ||

@@ -25,6 +25,9 @@ class Splitter {
     if (is_new) {
       mesh_.positions.push_back(Vec3{mesh_.positions[vertex]});
       mesh_.texture.push_back(at);
+      if (!mesh_.vertex_values.empty()) {
+        mesh_.vertex_values.push_back(float{mesh_.vertex_values[vertex]});
+      }
     }
     return copy->second;
   }

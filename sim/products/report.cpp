@@ -95,6 +95,7 @@ std::string to_json(const RunReport& report) {
   json["options"] = json_of(report.options);
   json["settings"] = json_of(report.settings);
   if (!report.air.empty()) json["air"] = json_of(report.air);
+  if (!report.heat.empty()) json["heat"] = json_of(report.heat);
   json["inputs"] = list(report.inputs);
   json["stages"] = list(report.stages);
   json["counters"] = report.counters;

@@ -73,6 +73,7 @@ struct RunReport {
   ReportValues options;   ///< of the command line, those that change results
   ReportValues settings;  ///< solver, sampling, seed, threads
   ReportValues air;       ///< how the air was computed; empty where nothing was
+  ReportValues heat;      ///< what the heat balance cost; empty where nothing was solved
   std::vector<FileRecord> inputs;
   std::vector<StageTime> stages;
   std::map<std::string, std::uint64_t> counters;  ///< rays of each kind, thresholds that bit

@@ -21,8 +21,9 @@ constexpr int ground_places = 32;
 /// The mean direction of diffuse light: half of what a level surface sends up is above 45 degrees.
 const Vec3 slanting{0.5 * std::numbers::sqrt2, 0.0, 0.5 * std::numbers::sqrt2};
 
-/// How many places showed a material at a temperature.
-using GroundSeen = std::map<std::pair<std::uint32_t, double>, int>;
+/// How warm a material was at the places that showed it, and at how many it was so warm. Where
+/// nobody asks for its temperature, its emission does not count: 0 K.
+using GroundSeen = std::map<std::uint32_t, std::map<double, int>>;
 
 GroundSeen look_down(const radiometry::SceneDescription& scene) {
   constexpr std::uint64_t map_draws = 0x67726F756E64;  // "ground": the numbers that maps draw with
@@ -37,7 +38,8 @@ GroundSeen look_down(const radiometry::SceneDescription& scene) {
       if (!hit) continue;
       const auto index = static_cast<std::uint32_t>(j * ground_places + i);
       radiometry::resolve_map(scene, *hit, Sampler{map_draws, index});
-      ++seen[{hit->material, scene.temperature.at(*hit).value}];
+      const double kelvin = scene.temperature.at(*hit).value;
+      ++seen[hit->material][std::isfinite(kelvin) ? kelvin : 0.0];
     }
   }
   return seen;
@@ -52,14 +54,20 @@ GroundBlock mean_of(const GroundSeen& seen, const radiometry::SceneDescription& 
                     const Lanes& lanes, Diagnostics& diagnostics) {
   GroundBlock mean{Spectrum{lanes.count()}, Spectrum{lanes.count()}, Spectrum{lanes.count()}};
   int all = 0;
-  for (const auto& [what, count] : seen) all += count;
-  for (const auto& [what, count] : seen) {
-    const auto share = static_cast<float>(count) / static_cast<float>(all);
-    const auto bound = materials::bind(scene.materials[what.first], lanes, diagnostics);
-    const Spectrum black = spectral::planck(lanes, Kelvin{what.second});
-    mean.reflectance.add_scaled(materials::albedo(bound.scattering, slanting).reflectance, share);
-    mean.emission.add_scaled(bound.emissivity(slanting) * black, share);
-    mean.black_body.add_scaled(black, share);
+  for (const auto& [material, warmth] : seen) {
+    for (const auto& [kelvin, count] : warmth) all += count;
+  }
+  for (const auto& [material, warmth] : seen) {
+    const auto bound = materials::bind(scene.materials[material], lanes, diagnostics);
+    const Spectrum reflectance = materials::albedo(bound.scattering, slanting).reflectance;
+    const Spectrum emissivity = bound.emissivity(slanting);
+    for (const auto& [kelvin, count] : warmth) {
+      const auto share = static_cast<float>(count) / static_cast<float>(all);
+      const Spectrum black = spectral::planck(lanes, Kelvin{kelvin});
+      mean.reflectance.add_scaled(reflectance, share);
+      mean.emission.add_scaled(emissivity * black, share);
+      mean.black_body.add_scaled(black, share);
+    }
   }
   return mean;
 }

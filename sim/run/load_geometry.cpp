@@ -10,17 +10,39 @@
 #include "sim/files/raster.hpp"
 #include "sim/run/error_list.hpp"
 #include "sim/run/load_lamps.hpp"
+#include "sim/run/load_temperature.hpp"
 #include "sim/run/place.hpp"
 #include "sim/run/read_surface.hpp"
 
 namespace nadir::sim {
 namespace {
 
+std::string file_of(const ObjectInput& input) {
+  const auto* mesh = std::get_if<MeshInput>(&input.form);
+  return mesh != nullptr ? mesh->file.string() : input.name;
+}
+
+/// A material that takes its temperature from the vertices needs a mesh that gives them.
+void check_vertex_temperatures(const geometry::Surface& surface, const Scenario& scenario,
+                               const std::string& name) {
+  const auto* mesh = std::get_if<geometry::TriangleMesh>(&surface.form);
+  for (const std::uint32_t index : surface.part_materials) {
+    if (index >= scenario.materials.size()) continue;  // a map
+    const auto* wanted =
+        std::get_if<VertexTemperatureInput>(&scenario.materials[index].temperature);
+    // A shape has no vertices: it is as a mesh that gives nothing.
+    if (wanted != nullptr) {
+      check_vertex_temperature(mesh != nullptr ? *mesh : geometry::TriangleMesh{}, *wanted, name);
+    }
+  }
+}
+
 /// Gathers the scenario's geometry object by object; the terrain first, since others stand on it.
 class GeometryReader {
  public:
-  GeometryReader(const geometry::LocalFrame& frame, InputFiles& files)
-      : frame_{&frame}, files_{&files} {}
+  GeometryReader(const Scenario& scenario, const geometry::LocalFrame& frame, const Epochs& epochs,
+                 InputFiles& files)
+      : scenario_{&scenario}, frame_{&frame}, epochs_{&epochs}, files_{&files} {}
 
   void add_terrain(const TerrainInput& input, std::uint32_t object) {
     const auto grid = read_height_grid(files_->note(input.raster), input.height_offset_m);
@@ -33,12 +55,11 @@ class GeometryReader {
   }
 
   void add_object(const ObjectInput& input, std::uint32_t object) {
-    const geometry::Surface surface = read_surface(input.form, *files_);
-    builder_.add(surface, placed(input.placement, terrain_), object);
+    builder_.add(surface_of(input, input.presence), placed(input.placement, terrain_), object);
   }
 
   void add_instances(const InstancesInput& input, std::uint32_t object) {
-    add_nested(input, {Affine{}}, object);
+    add_nested(input, {Affine{}}, input.presence, object);
   }
 
   void add_lamps(const Scenario& scenario) {
@@ -53,6 +74,14 @@ class GeometryReader {
   [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_, std::move(lamps_)}; }
 
  private:
+  [[nodiscard]] geometry::Surface surface_of(const ObjectInput& input,
+                                             const PresenceInput& presence) {
+    geometry::Surface surface = read_surface(input.form, *files_);
+    surface.epochs = epochs_->of(presence);
+    check_vertex_temperatures(surface, *scenario_, file_of(input));
+    return surface;
+  }
+
   [[nodiscard]] std::vector<Affine> read_list(const InstancesInput& input) {
     std::vector<Affine> placements;
     ErrorList errors;
@@ -69,19 +98,22 @@ class GeometryReader {
 
   /// Distributions' Embree has one instance level, so lists within lists become one long list.
   void add_nested(const InstancesInput& input, const std::vector<Affine>& outer,
-                  std::uint32_t object) {
+                  const PresenceInput& presence, std::uint32_t object) {
     const std::vector<Affine> placements = flatten(outer, read_list(input));
     for (const ObjectInput& part : input.objects) {
       const Affine own = placed(part.placement, terrain_);
       std::vector<Affine> of_part;
       std::transform(placements.begin(), placements.end(), std::back_inserter(of_part),
                      [&](const Affine& placement) { return placement * own; });
-      builder_.add_instances({read_surface(part.form, *files_)}, of_part, object);
+      builder_.add_instances({surface_of(part, presence)}, of_part, object);
     }
-    for (const InstancesInput& nested : input.nested) add_nested(nested, placements, object);
+    for (const InstancesInput& nested : input.nested)
+      add_nested(nested, placements, presence, object);
   }
 
+  const Scenario* scenario_;
   const geometry::LocalFrame* frame_;
+  const Epochs* epochs_;
   InputFiles* files_;
   geometry::SceneBuilder builder_;
   TerrainProbe terrain_;
@@ -91,8 +123,8 @@ class GeometryReader {
 }  // namespace
 
 LoadedGeometry load_geometry(const Scenario& scenario, const geometry::LocalFrame& frame,
-                             InputFiles& files) {
-  GeometryReader reader{frame, files};
+                             const Epochs& epochs, InputFiles& files) {
+  GeometryReader reader{scenario, frame, epochs, files};
   ErrorList errors;
   const auto number_of = [&](const GeometryInput& input) {
     return static_cast<std::uint32_t>(&input - scenario.geometry.data());

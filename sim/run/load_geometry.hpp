@@ -5,6 +5,7 @@
 #include "geometry/earth.hpp"
 #include "geometry/scene.hpp"
 #include "radiometry/lamps/lamp.hpp"
+#include "sim/run/epochs.hpp"
 #include "sim/run/input_files.hpp"
 #include "sim/run/terrain_probe.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -22,6 +23,7 @@ struct LoadedGeometry {
 /// those of the scenario's geometry.
 /// @throws InputError with the mistakes of all files
 [[nodiscard]] LoadedGeometry load_geometry(const Scenario& scenario,
-                                           const geometry::LocalFrame& frame, InputFiles& files);
+                                           const geometry::LocalFrame& frame, const Epochs& epochs,
+                                           InputFiles& files);
 
 }  // namespace nadir::sim

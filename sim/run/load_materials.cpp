@@ -20,6 +20,7 @@ materials::Material MaterialReader::read(const MaterialInput& input) {
   material.emissivity = curve(input.emissivity, SpectrumQuantity::emissivity);
   material.scattering = read_scattering(input.scattering, *this);
   material.solver = input.solver;
+  if (input.variant_of) material.shown_as = static_cast<std::uint32_t>(*input.variant_of);
   material.where = input.where;
   return material;
 }

@@ -10,15 +10,37 @@ namespace {
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t pixel_area = 0;  // the random number that places a path inside its pixel
 
+std::size_t pixel_number(int samples, int sample, int line) {
+  return static_cast<std::size_t>(line) * static_cast<std::size_t>(samples) +
+         static_cast<std::size_t>(sample);
+}
+
+Sampler path_numbers(std::uint64_t array_key, std::size_t pixel, int replicate, int path) {
+  return {mix(mix(array_key, pixel), static_cast<std::uint64_t>(replicate)),
+          static_cast<std::uint32_t>(path)};
+}
+
 float mean_or_missing(double sum, std::uint32_t count) {
   return count > 0 ? static_cast<float>(sum / count) : missing;
 }
 
 }  // namespace
 
+Sampler first_path(std::uint64_t array_key, const sensor::DetectorArray& array, int sample,
+                   int line) {
+  return path_numbers(array_key, pixel_number(array.samples, sample, line), 0, 0);
+}
+
+geometry::Ray pixel_ray(const sensor::DetectorArray& array, const sensor::Pose& pose,
+                        const Sampler& numbers, int sample, int line) {
+  const Vec2 inside = numbers.point(pixel_area);
+  return sensor::view_ray(array, pose, sample + inside.x, line + inside.y);
+}
+
 /// Sums over the paths of a pixel that hit something.
 struct PixelRenderer::TruthSums {
   std::uint32_t hits = 0;
+  std::uint32_t with_temperature = 0;  // fewer where nobody asked for some
   double range_m = 0.0, temperature_k = 0.0, sun_elevation_deg = 0.0, shadow = 0.0;
 };
 
@@ -51,24 +73,16 @@ radiometry::Counters PixelRenderer::counters() const {
   return all;
 }
 
-geometry::Ray PixelRenderer::draw_ray(const Sampler& numbers, int sample, int line) const {
-  const Vec2 inside = numbers.point(pixel_area);
-  return sensor::view_ray(*job_->array, *job_->pose, sample + inside.x, line + inside.y);
-}
-
 void PixelRenderer::render(int sample, int line, ArrayImage& image) {
-  const auto pixel = static_cast<std::size_t>(line) * static_cast<std::size_t>(image.samples) +
-                     static_cast<std::size_t>(sample);
-  const std::uint64_t key = mix(array_key_, pixel);
+  const std::size_t pixel = pixel_number(image.samples, sample, line);
   TruthSums truth;
   std::fill(material_votes_.begin(), material_votes_.end(), 0U);
   std::fill(spread_.begin(), spread_.end(), Welford{});
   for (int replicate = 0; replicate < options_->sampling.replicates; ++replicate) {
     for (auto& sum : lane_sums_) sum = spectral::SpectrumSum{sum.count()};
-    const std::uint64_t replicate_key = mix(key, static_cast<std::uint64_t>(replicate));
     for (int path = 0; path < options_->sampling.samples_per_replicate; ++path) {
-      const Sampler numbers{replicate_key, static_cast<std::uint32_t>(path)};
-      trace(draw_ray(numbers, sample, line), numbers, truth);
+      const Sampler numbers = path_numbers(array_key_, pixel, replicate, path);
+      trace(pixel_ray(*job_->array, *job_->pose, numbers, sample, line), numbers, truth);
     }
     close_replicate();
   }
@@ -86,7 +100,7 @@ void PixelRenderer::trace(const geometry::Ray& ray, const Sampler& numbers, Trut
         [&](auto& solver) { return solver.aperture_radiance(ray, hit, numbers.child(0)); },
         solvers_[block]));
   }
-  ++material_votes_[hit ? hit->material + 1 : 0];
+  ++material_votes_[hit ? shown_as(hit->material) + 1 : 0];
   if (hit && options_->truth) add_truth(*hit, truth);
 }
 
@@ -100,6 +114,10 @@ void PixelRenderer::close_replicate() {
   }
 }
 
+std::uint32_t PixelRenderer::shown_as(std::uint32_t material) const {
+  return job_->scene->materials[material].shown_as.value_or(material);
+}
+
 const ephemeris::LightSource* PixelRenderer::sun() const {
   const auto& bodies = job_->scene->illumination;
   const auto found = std::find_if(bodies.begin(), bodies.end(),
@@ -110,7 +128,10 @@ const ephemeris::LightSource* PixelRenderer::sun() const {
 void PixelRenderer::add_truth(const geometry::Hit& hit, TruthSums& truth) {
   ++truth.hits;
   truth.range_m += hit.distance;
-  truth.temperature_k += job_->scene->temperature.at(hit).value;
+  if (const double kelvin = job_->scene->temperature.at(hit).value; std::isfinite(kelvin)) {
+    truth.temperature_k += kelvin;
+    ++truth.with_temperature;
+  }
   const ephemeris::LightSource* body = sun();
   if (body == nullptr) return;
   const Vec3 towards = body->direction_enu;
@@ -140,7 +161,7 @@ void PixelRenderer::store(std::size_t pixel, const TruthSums& truth, ArrayImage&
   const auto winner = std::max_element(material_votes_.begin(), material_votes_.end());
   planes.material[pixel] = static_cast<std::uint32_t>(winner - material_votes_.begin());
   planes.range_m[pixel] = mean_or_missing(truth.range_m, truth.hits);
-  planes.temperature_k[pixel] = mean_or_missing(truth.temperature_k, truth.hits);
+  planes.temperature_k[pixel] = mean_or_missing(truth.temperature_k, truth.with_temperature);
   const std::uint32_t lit = sun() == nullptr ? 0 : truth.hits;
   planes.sun_elevation_deg[pixel] = mean_or_missing(truth.sun_elevation_deg, lit);
   planes.shadow_fraction[pixel] = mean_or_missing(truth.shadow, lit);

@@ -13,6 +13,13 @@
 
 namespace nadir::sim {
 
+/// The random numbers of a pixel's first path. @param array_key  of the array
+[[nodiscard]] Sampler first_path(std::uint64_t array_key, const sensor::DetectorArray& array,
+                                 int sample, int line);
+/// The line of sight of a path through a pixel, straight.
+[[nodiscard]] geometry::Ray pixel_ray(const sensor::DetectorArray& array, const sensor::Pose& pose,
+                                      const Sampler& numbers, int sample, int line);
+
 /// One detector array against the scene, at the wavelengths that its bands need.
 struct ArrayJob {
   const radiometry::SceneDescription* scene = nullptr;
@@ -34,8 +41,8 @@ class PixelRenderer {
 
  private:
   struct TruthSums;
-  [[nodiscard]] geometry::Ray draw_ray(const Sampler& numbers, int sample, int line) const;
   [[nodiscard]] const ephemeris::LightSource* sun() const;  // or null
+  [[nodiscard]] std::uint32_t shown_as(std::uint32_t material) const;
   /// One path: adds what it saw to the sums of all blocks.
   void trace(const geometry::Ray& ray, const Sampler& numbers, TruthSums& truth);
   /// Turns the sums of a replicate into one draw of each band's radiance.

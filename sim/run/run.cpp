@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "sim/run/air_stage.hpp"
 #include "sim/run/check_view.hpp"
+#include "sim/run/heat_ahead.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/stage_clock.hpp"
 #include "sim/run/tiles.hpp"
@@ -136,6 +137,7 @@ RunOutcome run_scenario(const RunOptions& options) {
   check_view(world, diagnostics);
   prepare_output(options.output);
   report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
+  if (world.heat) clock.stage("heat", [&] { solve_heat_ahead(world, options.seed); });
   std::optional<RayBending> bending;
   if (world.air) {
     clock.stage("air", [&] {
@@ -151,6 +153,7 @@ RunOutcome run_scenario(const RunOptions& options) {
                   diagnostics);
   });
   report.counters = counters_of(result.counters);
+  report.heat = heat_report(world);
   const auto products = clock.stage("write products", [&] {
     return write_products(result.images, context_of(scenario, diagnostics), options.output);
   });

@@ -6,10 +6,12 @@
 #include <algorithm>
 
 #include "sim/run/air_stage_check.hpp"
+#include "sim/run/epochs.hpp"
 #include "sim/run/error_list.hpp"
 #include "sim/run/load_air.hpp"
 #include "sim/run/load_camera.hpp"
 #include "sim/run/load_geometry.hpp"
+#include "sim/run/load_heat.hpp"
 #include "sim/run/load_lamps.hpp"
 #include "sim/run/load_light.hpp"
 #include "sim/run/load_maps.hpp"
@@ -19,12 +21,14 @@
 namespace nadir::sim {
 namespace {
 
-thermal::TemperatureField temperatures(const Scenario& scenario) {
-  std::vector<thermal::TemperatureSource> sources;
-  for (const MaterialInput& material : scenario.materials) {
-    sources.emplace_back(thermal::ConstantTemperature{Kelvin{material.temperature_k}});
+/// Which arrays need temperatures, whatever they cost.
+std::vector<bool> arrays_asking(const Scenario& scenario, const Camera& camera,
+                                const ephemeris::Illumination& bodies) {
+  std::vector<bool> asking;
+  for (const sensor::DetectorArray& array : camera.arrays) {
+    asking.push_back(scenario.products.truth_temperature || sees_heat(array, bodies));
   }
-  return thermal::TemperatureField{std::move(sources)};
+  return asking;
 }
 
 // Rays leave a surface lifted by a few units of float resolution of the scene's size: a shadow
@@ -74,6 +78,9 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   std::vector<materials::MaterialMap> maps;
   std::vector<radiometry::Volume> volumes;
   Camera camera;
+  std::optional<Epochs> epochs;
+  std::optional<LoadedTemperatures> temperatures;
+  std::vector<bool> asking;
 
   ErrorList errors;
   const bool have_materials =
@@ -87,7 +94,10 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
     air = load_atmosphere(scenario, files);
     air_task = load_air_task(scenario, files, diagnostics);
   });
-  errors.attempt([&] { geometry = load_geometry(scenario, frame, files); });
+  errors.attempt([&] { epochs.emplace(scenario); });
+  errors.attempt([&] {
+    if (epochs) geometry = load_geometry(scenario, frame, *epochs, files);
+  });
   if (geometry) {
     errors.attempt([&] { camera = load_camera(scenario, frame, geometry->terrain, files); });
   }
@@ -106,14 +116,23 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
     }
   });
   errors.throw_if_any();
+  errors.attempt([&] {
+    asking = arrays_asking(scenario, camera, illumination);
+    const bool asked = std::find(asking.begin(), asking.end(), true) != asking.end();
+    temperatures = load_temperatures(scenario, {geometry->scene, materials, maps, *epochs, frame},
+                                     asked, files, diagnostics);
+  });
+  errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);
   World world{
       scenario.file,
-      {geometry->scene, std::move(materials), temperatures(scenario), std::move(illumination),
-       std::move(air), scenario.solver, std::move(maps), std::move(volumes),
-       std::move(geometry->lamps), scenario.method, scenario.path_max_bounces},
+      {geometry->scene, std::move(materials), std::move(temperatures->field),
+       std::move(illumination), std::move(air), scenario.solver, std::move(maps),
+       std::move(volumes), std::move(geometry->lamps), scenario.method, scenario.path_max_bounces},
       std::move(camera),
-      std::move(air_task)};
+      std::move(air_task),
+      std::move(temperatures->solver),
+      std::move(asking)};
   check_cover(scenario, world.scene, diagnostics);
   return world;
 }

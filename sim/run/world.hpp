@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/diagnostics.hpp"
 #include "radiometry/lit_scene.hpp"
@@ -21,6 +23,8 @@ struct World {
   radiometry::SceneDescription scene;
   Camera camera;
   std::optional<AirTask> air{};  ///< what is still to be done for the scene's air
+  std::shared_ptr<const thermal::HeatSolver> heat{};  ///< null where nothing is to be solved
+  std::vector<bool> asks_for_heat{};  ///< by array: whether it needs the temperatures of surfaces
 };
 
 /// @throws InputError with the mistakes of all files that the scenario names

@@ -54,6 +54,18 @@ std::optional<int> MaterialNames::resolve_material(const BuildContext& context,
   return std::nullopt;
 }
 
+bool MaterialNames::is_map(const std::string& name) const {
+  const auto found = index_.find(name);
+  return found != index_.end() && entries_[static_cast<std::size_t>(found->second)].is_map;
+}
+
+std::optional<int> MaterialNames::number_of(const std::string& name) const {
+  const auto found = index_.find(name);
+  if (found == index_.end()) return std::nullopt;
+  const Entry& entry = entries_[static_cast<std::size_t>(found->second)];
+  return entry.is_map ? std::nullopt : std::optional{entry.number};
+}
+
 const MaterialNames::Entry* MaterialNames::find(const BuildContext& context,
                                                 const CheckedElement& element,
                                                 const std::string& attribute) {

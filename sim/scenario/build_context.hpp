@@ -39,7 +39,8 @@ class MaterialNames {
   void add(const std::string& name, std::size_t offset);
   /// Names a map of materials; maps are numbered after all materials, in the order of these calls.
   void add_map(const std::string& name, std::size_t offset);
-  /// How many materials there are, those that contrast maps add included.
+  /// How many materials there are, those that contrast maps and geometry add included: from then on
+  /// maps have numbers.
   void set_material_count(std::size_t count) { material_count_ = static_cast<int>(count); }
   /// The same as `resolve` where a map will not do; nothing after a mistake.
   [[nodiscard]] std::optional<int> resolve_material(const BuildContext& context,
@@ -48,6 +49,10 @@ class MaterialNames {
   /// Index of the material or map that the element's attribute names. An unknown name is a mistake.
   [[nodiscard]] int resolve(const BuildContext& context, const CheckedElement& element,
                             const std::string& attribute = "material");
+  [[nodiscard]] bool is_map(const std::string& name) const;
+  /// Number of the material of that name; nothing for maps and unknown names. Does not count as
+  /// use.
+  [[nodiscard]] std::optional<int> number_of(const std::string& name) const;
   /// Names in the libraries, for the hint where a material was not declared.
   void set_library_names(std::vector<std::string> names) { library_names_ = std::move(names); }
   void warn_of_unused(const BuildContext& context) const;
@@ -80,8 +85,12 @@ void build_time(const BuildContext& context, const CheckedElement& root, Scenari
 /// @param base  what holds for settings that the element does not give
 [[nodiscard]] materials::SolverSettings build_solver(const CheckedElement& element,
                                                      const materials::SolverSettings& base);
-[[nodiscard]] MaterialNames build_materials(const BuildContext& context,
-                                            const CheckedElement& element, Scenario& scenario);
+/// The weather and how heat balances are solved, where the scenario says it.
+[[nodiscard]] std::optional<HeatInput> build_heat(const BuildContext& context,
+                                                  const CheckedElement& root);
+/// @param root  holds <materials>; after `build_heat`, whose weather materials may need
+[[nodiscard]] MaterialNames build_materials(const BuildContext& context, const CheckedElement& root,
+                                            Scenario& scenario);
 void build_geometry(const BuildContext& context, const CheckedElement& element,
                     MaterialNames& materials, Scenario& scenario);
 /// After the geometry, whose terrain lamps may stand on.

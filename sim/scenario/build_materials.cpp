@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/build_material.hpp"
+#include "sim/scenario/build_temperature.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -53,6 +54,7 @@ void complete_from(const MaterialInput& library, const CheckedElement& element,
   if (!element.gives("transmittance")) material.transmittance = library.transmittance;
   if (!own_model) material.scattering = library.scattering;
   if (!material.relief) material.relief = library.relief;
+  material.heat_balance = library.heat_balance;
 }
 
 /// A model that scales spectra which the library's material does not have.
@@ -67,41 +69,50 @@ void check_completed(const BuildContext& context, const CheckedElement& element,
 }
 
 /// Takes the library's material that the element asks for.
-void take_from_library(const BuildContext& context, const CheckedElement& element,
+/// @return whether there is one
+bool take_from_library(const BuildContext& context, const CheckedElement& element,
                        const Libraries& libraries, MaterialInput& material) {
   const bool named = element.gives("from");
   const std::string wanted = named ? element.value<std::string>("from") : material.name;
-  if (wanted.empty()) return;
+  if (wanted.empty()) return false;
   const auto found = libraries.by_name.find(wanted);
   if (found != libraries.by_name.end()) {
     complete_from(found->second, element, material);
     check_completed(context, element, material);
     if (scattering_element(element) == nullptr) check_transmittance(context, element, material);
-    return;
+    return true;
   }
-  if (!libraries.complete) return;
+  if (!libraries.complete) return false;
   if (!libraries.any) {
     context.mistake(element.where("from"),
                     fmt::format("material \"{}\" has neither reflectance nor emissivity, and no "
                                 "library is listed to take them from",
                                 material.name),
                     "write <library file=\"library:materials.xml\"/> in <materials>");
-    return;
+    return false;
   }
   context.mistake(element.where("from"),
                   fmt::format("no library has a material \"{}\"{}", wanted,
                               named ? "" : ", and it has neither reflectance nor emissivity here"),
                   suggestion(wanted, libraries.names));
+  return false;
 }
 
-MaterialInput build_material(const BuildContext& context, const CheckedElement& element,
+struct BuiltMaterial {
+  MaterialInput material;
+  MadeFrom made_from = MadeFrom::itself;
+};
+
+BuiltMaterial build_material(const BuildContext& context, const CheckedElement& element,
                              const Libraries& libraries, const Scenario& scenario) {
-  MaterialInput material = build_material_data(context, element);
+  BuiltMaterial built{build_material_data(context, element)};
+  MaterialInput& material = built.material;
   if (const CheckedElement* solver = element.child("solver")) {
     material.solver = build_solver(*solver, scenario.solver);
   }
   if (!stands_alone(element, material)) {
-    take_from_library(context, element, libraries, material);
+    const bool found = take_from_library(context, element, libraries, material);
+    built.made_from = found ? MadeFrom::library : MadeFrom::unknown;
   } else if (element.gives("from")) {
     const bool own = brings_spectra(material.scattering);
     context.mistake(element.where("from"),
@@ -109,15 +120,16 @@ MaterialInput build_material(const BuildContext& context, const CheckedElement& 
                                       scattering_element(element)->type->name)
                         : "give either from, or reflectance and emissivity, not both");
   }
-  return material;
+  return built;
 }
 
 }  // namespace
 
-MaterialNames build_materials(const BuildContext& context, const CheckedElement& element,
+MaterialNames build_materials(const BuildContext& context, const CheckedElement& root,
                               Scenario& scenario) {
+  const CheckedElement& element = *root.child("materials");
   const Libraries libraries = read_libraries(context, element);
-  const double default_temperature_k = element.number("default_temperature_k");
+  MaterialTemperatures temperatures{context, element, scenario.heat.has_value()};
   MaterialNames names;
   names.set_library_names(libraries.names);
   scenario.libraries = libraries.files;
@@ -132,10 +144,11 @@ MaterialNames build_materials(const BuildContext& context, const CheckedElement&
     }
     declared.push_back(&child);
     names.add(child.value<std::string>("name"), child.offset);
-    MaterialInput material = build_material(context, child, libraries, scenario);
-    material.temperature_k = child.find<double>("temperature_k").value_or(default_temperature_k);
-    scenario.materials.push_back(std::move(material));
+    BuiltMaterial built = build_material(context, child, libraries, scenario);
+    temperatures.add(child, built.made_from, built.material);
+    scenario.materials.push_back(std::move(built.material));
   }
+  temperatures.finish(root.child("heat"));
   context.check_unique(all, "material");
   const FindPart find = [&](const CheckedElement& part) -> std::optional<std::size_t> {
     const auto found = names.resolve_material(context, part);

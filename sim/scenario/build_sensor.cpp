@@ -174,10 +174,18 @@ void build_results(const BuildContext& context, const CheckedElement& root, Scen
                          sampling->value<int>("wavelengths_per_band")};
   }
   if (const CheckedElement* products = root.child("products")) {
-    scenario.products = {products->flag("envi"), products->flag("exr"),
-                         products->flag("quick_look"), products->flag("truth"),
+    scenario.products = {products->flag("envi"),
+                         products->flag("exr"),
+                         products->flag("quick_look"),
+                         products->flag("truth"),
+                         products->flag("truth_temperature"),
                          products->value<std::vector<std::string>>("quick_look_bands")};
     check_quick_look(context, *products, scenario);
+    if (scenario.products.truth_temperature && !scenario.products.truth) {
+      context.mistake(
+          products->where("truth_temperature"),
+          "truth_temperature=\"true\" asks for a plane that truth=\"false\" leaves out");
+    }
   }
 }
 

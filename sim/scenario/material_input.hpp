@@ -10,6 +10,8 @@
 #include "core/error.hpp"
 #include "materials/scattering/models.hpp"
 #include "materials/solver_settings.hpp"
+#include "sim/scenario/heat_input.hpp"
+#include "sim/scenario/map_place_input.hpp"
 #include "sim/scenario/spectral_input.hpp"
 
 // Materials and the maps of materials as a scenario or a library describes them: plain data, files
@@ -80,26 +82,6 @@ using ScatteringInput =
 /// Whether the model needs no reflectance of the material and takes none.
 [[nodiscard]] bool brings_spectra(const ScatteringInput& scattering);
 
-// ---- where maps lie -----------------------------------------------------------------------------
-
-/// A rectangle of the ground in scene axes.
-struct GroundArea {
-  double west_m = 0.0, south_m = 0.0, east_m = 0.0, north_m = 0.0;
-};
-/// Draped over the ground from above: in the given area, or without one where the raster's own
-/// coordinate system puts it.
-struct GroundDrape {
-  std::optional<GroundArea> area;
-};
-/// Along a mesh's texture coordinates: the raster's lower left corner is (0, 0).
-struct TextureDrape {
-  double size_u = 1.0, size_v = 1.0;  ///< texture units that it spans
-};
-struct MapPlaceInput {
-  std::variant<GroundDrape, TextureDrape> drape;
-  bool repeats = false;
-};
-
 // ---- materials ----------------------------------------------------------------------------------
 
 struct ReliefInput {
@@ -115,7 +97,11 @@ struct MaterialInput {
   std::string description;
   std::optional<SpectralInput> reflectance;
   std::optional<SpectralInput> emissivity;
-  double temperature_k = 0.0;
+  TemperatureInput temperature = ConstantTemperatureInput{};
+  std::optional<HeatBalanceInput> heat_balance;  ///< that a library's material brings; what counts
+                                                 ///< is `temperature`
+  std::optional<int>
+      variant_of;  ///< index of the material that only temperature sets it apart from
   std::optional<materials::SolverSettings> solver;
   std::optional<SpectralInput> transmittance;
   ScatteringInput scattering;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sim/scenario/build_material.hpp"
+#include "sim/scenario/build_temperature.hpp"
 #include "sim/scenario/check_document.hpp"
 
 namespace nadir::sim {
@@ -12,6 +13,9 @@ namespace {
 
 MaterialInput build(const BuildContext& context, const CheckedElement& element) {
   MaterialInput material = build_material_data(context, element);
+  if (const CheckedElement* balance = element.child("heat_balance")) {
+    material.heat_balance = build_heat_balance(context, *balance);
+  }
   if (!element.gives("reflectance") && !element.gives("emissivity") &&
       !brings_spectra(material.scattering)) {
     context.mistake(

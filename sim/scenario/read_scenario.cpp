@@ -14,6 +14,7 @@ void build_parts(const BuildContext& context, const CheckedElement& root, Scenar
     scenario.illumination = build_illumination(context, *light);
   }
   if (const auto* air = root.child("atmosphere")) scenario.air = build_air(context, *air);
+  scenario.heat = build_heat(context, root);
   if (const auto* solver = root.child("solver")) {
     scenario.solver = build_solver(*solver, scenario.solver);
     const bool path = solver->value<std::string>("method") == "path";
@@ -23,7 +24,7 @@ void build_parts(const BuildContext& context, const CheckedElement& root, Scenar
   const CheckedElement* materials = root.child("materials");
   const CheckedElement* geometry = root.child("geometry");
   if (materials != nullptr && geometry != nullptr) {
-    MaterialNames names = build_materials(context, *materials, scenario);
+    MaterialNames names = build_materials(context, root, scenario);
     build_geometry(context, *geometry, names, scenario);
     build_lamps(context, root, names, scenario);
     names.warn_of_unused(context);

@@ -15,6 +15,7 @@
 #include "materials/solver_settings.hpp"
 #include "radiometry/method.hpp"
 #include "sim/scenario/air_input.hpp"
+#include "sim/scenario/heat_input.hpp"
 #include "sim/scenario/lamp_input.hpp"
 #include "sim/scenario/material_input.hpp"
 #include "sim/scenario/placement_input.hpp"
@@ -64,6 +65,11 @@ struct ShapeInput {
 };
 using FormInput = std::variant<MeshInput, ShapeInput>;
 
+/// When an object is there: [from, until). Without either it always is.
+struct PresenceInput {
+  std::optional<ephemeris::Instant> from, until;
+};
+
 struct TerrainInput {
   std::string name;
   std::filesystem::path raster;
@@ -74,6 +80,7 @@ struct ObjectInput {
   std::string name;
   FormInput form;
   PlacementInput placement;
+  PresenceInput presence{};
 };
 /// A prototype placed by a list. Lists may nest: a prototype may itself be placed by lists.
 struct InstancesInput {
@@ -82,6 +89,7 @@ struct InstancesInput {
   bool on_terrain = false;     ///< up in the list counts from the terrain
   std::vector<ObjectInput> objects;
   std::vector<InstancesInput> nested;
+  PresenceInput presence{};
 };
 using GeometryInput = std::variant<TerrainInput, ObjectInput, InstancesInput>;
 
@@ -146,6 +154,7 @@ struct SamplingInput {
 
 struct ProductsInput {
   bool envi = true, exr = true, quick_look = true, truth = true;
+  bool truth_temperature = false;  ///< solve heat for the truth plane even if no band sees it
   std::vector<std::string>
       quick_look_bands;  ///< red, green, blue, or one; empty: chosen for the user
 };
@@ -158,11 +167,13 @@ struct Scenario {
   geometry::Geodetic origin;  ///< of the scene's axes
   IlluminationInput illumination;
   AirInput air;
+  std::optional<HeatInput> heat;     ///< weather, and how the heat balance is solved
   materials::SolverSettings solver;  ///< of the generic solver
   radiometry::Method method = radiometry::Method::generic;
   int path_max_bounces = 0;                      ///< of the path solver; 0: no limit
   std::vector<std::filesystem::path> libraries;  ///< of materials, which were read
-  std::vector<MaterialInput> materials;          ///< those of contrast maps after those of the file
+  std::vector<MaterialInput> materials;  ///< after those of the file those that contrast maps add,
+                                         ///< then those that geometry sets apart by temperature
   std::vector<MaterialMapInput> maps;
   std::vector<GeometryInput> geometry;
   std::vector<VolumeInput> volumes;

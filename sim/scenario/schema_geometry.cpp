@@ -30,11 +30,21 @@ std::vector<Attribute> placement(Where where) {
   return attributes;
 }
 
+/// When something is in the scene; what a list places comes and goes with the list.
+void add_presence_attributes(std::vector<Attribute>& attributes) {
+  attributes.push_back(optional("present_from", InstantType{}, "", "from the beginning",
+                                "When it comes; shadows that it cast stay in temperatures."));
+  attributes.push_back(optional("present_until", InstantType{}, "", "for ever",
+                                "When it leaves: at this moment it is not there any more."));
+}
+
 /// An object: its own attributes, then its name and where it stands.
 ElementType object(Where where, const std::string& name, const std::string& doc,
                    std::vector<Attribute> own) {
+  for (Attribute& attribute : own_temperature()) own.push_back(std::move(attribute));
   own.push_back(optional("name", NameType{}, "", "the element's name", "For reports."));
   for (Attribute& attribute : placement(where)) own.push_back(std::move(attribute));
+  if (where == Where::scene) add_presence_attributes(own);
   const std::string id = where == Where::scene ? name : "prototype_" + name;
   const std::string place = where == Where::scene ? "" : " In the axes of what the list places.";
   return {.id = id, .name = name, .doc = doc + place, .attributes = std::move(own)};
@@ -91,6 +101,7 @@ ElementType instances(Where where) {
       optional("name", NameType{}, "", "the element's name", "For reports.")};
   if (where == Where::scene) {
     attributes.push_back(on_terrain("up in the list counts from the terrain below."));
+    add_presence_attributes(attributes);
   }
   const bool outer = where == Where::scene;
   return {.id = outer ? "instances" : "prototype_instances",
@@ -103,6 +114,32 @@ ElementType instances(Where where) {
           .at_least = 1};
 }
 
+ElementType terrain_type() {
+  ElementType type{
+      .id = "terrain",
+      .name = "terrain",
+      .doc = "Ground from a raster of heights in any map projection.",
+      .attributes = {
+          required("raster", PathType{}, "", "Any raster of heights in m that GDAL reads."),
+          material_name(),
+          defaulted("height_offset_m", from_to(-1e4, 1e4), "m", "0",
+                    "Added to every height: the raster's datum above the ellipsoid."),
+          optional("name", NameType{}, "", "the element's name", "For reports.")}};
+  for (Attribute& attribute : own_temperature()) type.attributes.push_back(std::move(attribute));
+  return type;
+}
+
+ElementType part_type() {
+  ElementType type{
+      .id = "part",
+      .name = "part",
+      .doc = "A part of a mesh and what it is made of. Its temperature goes before the mesh's.",
+      .attributes = {required("name", TextType{}, "", "As in the mesh's file (OBJ: usemtl)."),
+                     material_name()}};
+  for (Attribute& attribute : own_temperature()) type.attributes.push_back(std::move(attribute));
+  return type;
+}
+
 }  // namespace
 
 std::vector<Attribute> scene_placement() { return placement(Where::scene); }
@@ -110,31 +147,15 @@ std::vector<Attribute> scene_placement() { return placement(Where::scene); }
 std::vector<ElementType> schema_of_geometry() {
   std::vector<Child> top = {{"terrain"}};
   for (Child& child : object_children(Where::scene)) top.push_back(std::move(child));
-  std::vector<ElementType> all = {
-      {.id = "geometry",
-       .name = "geometry",
-       .doc = "What rays can meet. At most one terrain.",
-       .content = Content::list,
-       .children = std::move(top),
-       .at_least = 1},
-      {.id = "terrain",
-       .name = "terrain",
-       .doc = "Ground from a raster of heights in any map projection.",
-       .attributes = {required("raster", PathType{}, "",
-                               "Any raster of heights in m that GDAL "
-                               "reads."),
-                      material_name(),
-                      defaulted("height_offset_m", from_to(-1e4, 1e4), "m", "0",
-                                "Added to every height: the raster's datum above the ellipsoid."),
-                      optional("name", NameType{}, "", "the element's name", "For reports.")}},
-  };
+  std::vector<ElementType> all = {{.id = "geometry",
+                                   .name = "geometry",
+                                   .doc = "What rays can meet. At most one terrain.",
+                                   .content = Content::list,
+                                   .children = std::move(top),
+                                   .at_least = 1},
+                                  terrain_type()};
   for (ElementType& type : objects(Where::scene)) all.push_back(std::move(type));
-  all.push_back(
-      {.id = "part",
-       .name = "part",
-       .doc = "A part of a mesh and what it is made of.",
-       .attributes = {required("name", TextType{}, "", "As in the mesh's file (OBJ: usemtl)."),
-                      material_name()}});
+  all.push_back(part_type());
   all.push_back(instances(Where::scene));
   for (ElementType& type : objects(Where::prototype)) all.push_back(std::move(type));
   all.push_back(instances(Where::prototype));

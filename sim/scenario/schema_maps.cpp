@@ -3,13 +3,18 @@
 namespace nadir::sim {
 namespace {
 
-IntegerType band_number() { return {1, 65535}; }
-
 const char* const area_doc = "Of the raster's outer edge, in scene axes; all four or none.";
 const char* const no_area = "the raster's own coordinate system places it";
 
-/// What a map has of its own, then where it lies.
-std::vector<Attribute> placed(std::vector<Attribute> own) {
+std::vector<Attribute> map_of(std::vector<Attribute> own) {
+  own.insert(own.begin(), {required("name", NameType{}, "", "Unique among materials and maps."),
+                           required("raster", PathType{}, "", "Any raster that GDAL reads.")});
+  return map_placement(std::move(own));
+}
+
+}  // namespace
+
+std::vector<Attribute> map_placement(std::vector<Attribute> own) {
   own.push_back(defaulted("drape", EnumerationType{{"ground", "texture"}}, "", "ground",
                           "Over the ground from above, or along the mesh's texture coordinates."));
   for (const char* edge : {"west_m", "south_m", "east_m", "north_m"}) {
@@ -24,26 +29,18 @@ std::vector<Attribute> placed(std::vector<Attribute> own) {
   return own;
 }
 
-std::vector<Attribute> map_of(std::vector<Attribute> own) {
-  own.insert(own.begin(), {required("name", NameType{}, "", "Unique among materials and maps."),
-                           required("raster", PathType{}, "", "Any raster that GDAL reads.")});
-  return placed(std::move(own));
-}
-
-}  // namespace
-
 std::vector<ElementType> schema_of_maps() {
   return {
       {.id = "relief",
        .name = "relief",
        .doc = "Bumps too fine for the mesh, from a raster of heights or a normal map.",
-       .attributes =
-           placed({required("file", PathType{}, "", "Any raster that GDAL reads."),
-                   required("kind", EnumerationType{{"heights", "normals"}}, "",
-                            "Band 1: heights in m (with drape=\"texture\": in texture units); or "
-                            "bands 1 to 3: x, y, z of normals, x along rising columns, y upwards, "
-                            "-1 to 1 (whole numbers: 0 to the type's largest)."),
-                   defaulted("strength", from_to(-1e4, 1e4), "", "1", "Factor on the slopes.")})},
+       .attributes = map_placement(
+           {required("file", PathType{}, "", "Any raster that GDAL reads."),
+            required("kind", EnumerationType{{"heights", "normals"}}, "",
+                     "Band 1: heights in m (with drape=\"texture\": in texture units); or "
+                     "bands 1 to 3: x, y, z of normals, x along rising columns, y upwards, "
+                     "-1 to 1 (whole numbers: 0 to the type's largest)."),
+            defaulted("strength", from_to(-1e4, 1e4), "", "1", "Factor on the slopes.")})},
       {.id = "material_map",
        .name = "material_map",
        .doc = "A raster that says which material is where; objects may name it as their material. "

@@ -28,7 +28,9 @@ ElementType material() {
       .doc =
           "A material that surfaces of this scenario may name. Without from, reflectance, "
           "emissivity and a model with spectra of its own it is the library's material of the "
-          "same name. At most one scattering model; without one the library's, or lambertian.",
+          "same name. At most one scattering model; without one the library's, or lambertian. At "
+          "most one source of temperature, as an attribute or as a child; without one the list's "
+          "default temperature.",
       .attributes = {required("name", NameType{}, "", "Unique in the scenario, maps included."),
                      optional("description", TextType{}, "", "the library's, if it is from there",
                               "For people."),
@@ -39,22 +41,28 @@ ElementType material() {
       .content = Content::record,
       .children = scattering_and({{"relief"}, {"material_solver"}})};
   for (Attribute& attribute : optical()) type.attributes.push_back(std::move(attribute));
-  type.attributes.push_back(optional("temperature_k", temperature(), "K",
-                                     "the list's default_temperature_k",
-                                     "Thermodynamic temperature; 0: it does not emit."));
+  for (Attribute& attribute : temperature_pair("temperature", "the list's default",
+                                               "Of the whole material; 0 K: it does not emit.")) {
+    type.attributes.push_back(std::move(attribute));
+  }
+  type.attributes.push_back(defaulted("solve", boolean(), "", "false",
+                                      "Takes the heat balance of the library's material."));
+  for (Child& child : temperature_children()) type.children.push_back(std::move(child));
   return type;
 }
 
 ElementType library_material() {
-  ElementType type{.id = "library_material",
-                   .name = "material",
-                   .doc =
-                       "A material of a library. At least one of reflectance and emissivity is "
-                       "needed, unless its scattering model brings spectra of its own.",
-                   .attributes = {required("name", NameType{}, "", "Unique in the library."),
-                                  optional("description", TextType{}, "", "none", "For people.")},
-                   .content = Content::record,
-                   .children = scattering_and({{"relief"}})};
+  ElementType type{
+      .id = "library_material",
+      .name = "material",
+      .doc =
+          "A material of a library. At least one of reflectance and emissivity is "
+          "needed, unless its scattering model brings spectra of its own. Its heat balance is for "
+          "scenarios that say solve=\"true\".",
+      .attributes = {required("name", NameType{}, "", "Unique in the library."),
+                     optional("description", TextType{}, "", "none", "For people.")},
+      .content = Content::record,
+      .children = scattering_and({{"relief"}, {"heat_balance"}})};
   for (Attribute& attribute : optical()) type.attributes.push_back(std::move(attribute));
   return type;
 }
@@ -66,8 +74,9 @@ std::vector<ElementType> schema_of_materials() {
       {.id = "materials",
        .name = "materials",
        .doc = "What surfaces are made of.",
-       .attributes = {required("default_temperature_k", temperature(), "K",
-                               "Of materials that have none of their own.")},
+       .attributes =
+           temperature_pair("default_temperature", "every material has a source of temperature",
+                            "Of materials that have no source of temperature."),
        .content = Content::list,
        .children = {{"library"}, {"material"}, {"material_map"}, {"contrast_map"}},
        .at_least = 1},

@@ -33,6 +33,10 @@ inline NumberType above_to(double min, double max) { return {min, max, true, fal
 inline NumberType coordinate() { return from_to(-1e8, 1e8); }
 /// From 0 K to the hottest black body for which the Planck function is tested.
 inline NumberType temperature() { return from_to(0.0, 6000.0); }
+/// The same in degrees Celsius.
+inline NumberType celsius() { return from_to(-273.15, 5726.85); }
+/// Of a raster; as many as the formats know.
+inline IntegerType band_number() { return {1, 65535}; }
 /// A reflectance, an albedo: a number or a spectrum.
 inline SpectralType fraction() { return {from_to(0.0, 1.0)}; }
 inline NumberType latitude() { return from_to(-90.0, 90.0); }
@@ -42,10 +46,22 @@ inline NumberType full_turn() { return from_to(-360.0, 360.0); }
 [[nodiscard]] std::vector<ElementType> schema_of_root();
 [[nodiscard]] std::vector<ElementType> schema_of_light();
 [[nodiscard]] std::vector<ElementType> schema_of_air();
+[[nodiscard]] std::vector<ElementType> schema_of_heat();
 [[nodiscard]] std::vector<ElementType> schema_of_solver();
 [[nodiscard]] std::vector<ElementType> schema_of_materials();
 [[nodiscard]] std::vector<ElementType> schema_of_scattering();
+/// Sources of temperature, as children of a material.
+[[nodiscard]] std::vector<ElementType> schema_of_temperature();
+[[nodiscard]] std::vector<Child> temperature_children();
+/// A temperature as two attributes, in K and in deg C, of which the file gives one.
+[[nodiscard]] std::vector<Attribute> temperature_pair(const std::string& name,
+                                                      const std::string& without,
+                                                      const std::string& doc);
+/// What objects and parts of meshes may say in place of their material's temperature.
+[[nodiscard]] std::vector<Attribute> own_temperature();
 [[nodiscard]] std::vector<ElementType> schema_of_maps();
+/// What a map has of its own, then where it lies.
+[[nodiscard]] std::vector<Attribute> map_placement(std::vector<Attribute> own);
 /// The scattering models, as children of a material.
 [[nodiscard]] std::vector<Child> scattering_children();
 [[nodiscard]] std::vector<ElementType> schema_of_geometry();

@@ -151,6 +151,9 @@ std::vector<ElementType> results() {
             defaulted("quick_look", boolean(), "", "true", "A PNG picture for people."),
             defaulted("truth", boolean(), "", "true",
                       "Material, range, temperature, sun elevation and shadow of every pixel."),
+            defaulted("truth_temperature", boolean(), "", "false",
+                      "Solves heat balances for the truth's temperatures even if no band sees "
+                      "them; needs truth."),
             optional("quick_look_bands", NamesType{3}, "", "chosen from the bands' wavelengths",
                      "One band for shades of grey, or three of one array for red, green and "
                      "blue.")}},

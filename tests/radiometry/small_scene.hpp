@@ -26,8 +26,11 @@ class SmallScene {
  public:
   /// Adds a material at a temperature and returns its index.
   std::uint32_t material(const materials::Material& m, Kelvin temperature) {
+    return material(m, thermal::TemperatureSource{thermal::ConstantTemperature{temperature}});
+  }
+  std::uint32_t material(const materials::Material& m, thermal::TemperatureSource temperature) {
     materials_.push_back(m);
-    temperatures_.emplace_back(thermal::ConstantTemperature{temperature});
+    temperatures_.push_back(std::move(temperature));
     return static_cast<std::uint32_t>(materials_.size() - 1);
   }
   void add(const geometry::Shape& shape, std::uint32_t material) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "radiometry/volume_helpers.hpp"
-#include "radiometry/volumes/planck_table.hpp"
+#include "radiometry/planck_table.hpp"
 #include "support/quadrature.hpp"
 
 namespace nadir::radiometry {

@@ -29,7 +29,9 @@ std::vector<fs::path> spectrum_files(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator{folder}) {
     const std::string name = entry.path().filename().string();
-    if (name == "gas_sets.csv" || name == "standard_profiles.csv") continue;
+    const bool other = name == "gas_sets.csv" || name == "standard_profiles.csv" ||
+                       name == "thermal.csv";  // tables of another kind
+    if (other) continue;
     if (entry.path().extension() == ".csv") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

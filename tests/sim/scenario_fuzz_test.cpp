@@ -60,7 +60,7 @@ bool taken_or_told(const std::string& text) {
 // Any other exception, or a crash, fails the test; the sanitizers watch it in their build.
 TEST_CASE("a damaged scenario is taken or its mistakes are told with their lines",
           "[scenario][fuzz]") {
-  const std::string good = GENERATE(test::minimal_text(), test::full_text());
+  const std::string good = GENERATE(test::minimal_text(), test::full_text(), test::warm_text());
   sim::support::RandomBytes random{20260621};
   int taken = 0;
   for (int i = 0; i < 1500; ++i) taken += taken_or_told(mutated(good, random)) ? 1 : 0;
@@ -82,7 +82,7 @@ TEST_CASE("what the reader takes of damaged scenarios the XML schema takes as we
       std::string{"xmllint --noout --schema "} + NADIR_SOURCE_DIR + "/scenes/schema/nadir.xsd";
   int taken = 0;
   for (int i = 0; i < 1500; ++i) {
-    const std::string text = mutated(test::full_text(), random);
+    const std::string text = mutated(i % 2 == 0 ? test::full_text() : test::warm_text(), random);
     if (!taken_or_told(text)) continue;
     const auto file = folder / (std::to_string(i) + ".xml");
     std::ofstream{file, std::ios::binary} << text;

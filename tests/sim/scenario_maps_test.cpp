@@ -179,7 +179,7 @@ TEST_CASE("a contrast map makes a material of each spectrum and lays them out by
   REQUIRE(work.materials.size() == 6);
   CHECK(work.materials[3].name == "grey#1");
   CHECK(work.materials[4].reflectance->at(0.6_um) == Approx(0.1).epsilon(1e-12));
-  CHECK(work.scenario.materials[4].temperature_k == work.scenario.materials[2].temperature_k);
+  CHECK(test::kelvin_of(work.scenario.materials[4]) == 300.0);
   CHECK(std::get<ShapeInput>(std::get<ObjectInput>(work.scenario.geometry.at(0)).form).material ==
         6);
   CHECK(maps.at(0).at({5.0, 15.0}, 0.0) == 4);

@@ -230,7 +230,7 @@ TEST_CASE("a library's scattering, mixtures and spectra come along, and may be o
   const auto& mixture = std::get<MixtureInput>(scenario.materials[3].scattering);
   REQUIRE(mixture.parts.size() == 2);
   CHECK(mixture.parts[0].material->name == "leaf");
-  CHECK(scenario.materials[3].temperature_k == 280.0);
+  CHECK(test::kelvin_of(scenario.materials[3]) == 280.0);
   // A model that scales a reflectance finds none in glass.
   CHECK(mistake_lines(with_materials("<library file=\"" + library.string() +
                                      "\"/>\n<material name=\"grey\" from=\"glass\">"

@@ -42,7 +42,7 @@ TEST_CASE("a minimal scenario gives its values and the defaults", "[scenario]") 
   CHECK(s.materials[0].name == "grey");
   CHECK(std::get<double>(s.materials[0].reflectance->source) == 0.5);
   CHECK_FALSE(s.materials[0].emissivity);
-  CHECK(s.materials[0].temperature_k == 300.0);
+  CHECK(test::kelvin_of(s.materials[0]) == 300.0);
   CHECK_FALSE(s.materials[0].solver);
   REQUIRE(s.geometry.size() == 1);
   const auto& object = std::get<ObjectInput>(s.geometry[0]);
@@ -104,11 +104,11 @@ TEST_CASE("materials come from the scenario or from a library", "[scenario]") {
   CHECK(s.materials[0].name == "asphalt_road");  // by its own name
   CHECK(s.materials[0].description == "Road asphalt");
   CHECK(s.materials[0].reflectance->column == "asphalt");
-  CHECK(s.materials[0].temperature_k == 301.5);
+  CHECK(test::kelvin_of(s.materials[0]) == 301.5);
   CHECK(s.materials[1].name == "ground");  // by another name
   CHECK(s.materials[1].description == "Grass on the hill");
   CHECK(s.materials[1].reflectance->column == "grass");
-  CHECK(s.materials[1].temperature_k == 290.0);
+  CHECK(test::kelvin_of(s.materials[1]) == 290.0);
   CHECK(std::get<double>(s.materials[2].emissivity->source) == 0.9);
   // A material's solver starts from the scenario's settings, not from the program's.
   CHECK(s.materials[2].solver == materials::SolverSettings{100, 2.0, 1, 10, 20, 2});

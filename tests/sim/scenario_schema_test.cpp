@@ -130,7 +130,6 @@ const std::vector<Change> bad_changes = {
     {"<ephemeris solar_irradiance=\"solar.csv\" lunar_irradiance=\"0.001\"/>", ""},
     {"<ephemeris ", "<fixed/><ephemeris "},
     {"<ephemeris ", "<ephemeris time=\"now\" "},
-    {"default_temperature_k=\"290\"", ""},
     {"default_temperature_k=\"290\"", "default_temperature_k=\"-1\""},
     {"<library file=\"materials.xml\"/>", "<library/>"},
     {"<library file=\"materials.xml\"/>", "<library file=\"materials.csv\"/>"},
@@ -181,6 +180,7 @@ const std::vector<Change> bad_changes = {
 
 /// Mistakes of meaning, which no XML schema can see.
 const std::vector<Change> meaning_changes = {
+    {"default_temperature_k=\"290\"", ""},
     {"2026-06-21", "2026-06-31"},
     {"2026-06-21", "2526-06-21"},
     {"ut1_minus_utc_s=\"0.1\"", "ut1_minus_utc_s=\"150\""},
@@ -197,27 +197,81 @@ const std::vector<Change> meaning_changes = {
     {"quick_look_bands=\"Red Green Blue\"", "quick_look_bands=\"Red Green\""},
 };
 
+/// Changes of the warm scenario: still valid; of a form that is wrong; of a wrong meaning.
+const std::vector<Change> good_warm_changes = {
+    {" step_min=\"20\"", ""},
+    {" history_h=\"48\"", ""},
+    {"<weather_file file=\"weather.csv\" format=\"csv\" any_year=\"true\" long_wave=\"swinbank\"/>",
+     "<clear_sky air_low_c=\"5\" dew_point_k=\"270\"/>"},
+    {"default_temperature_c=\"15\"", "default_temperature_k=\"288\""},
+    {"convection=\"simple\" roughness=\"smooth\"", "convection=\"mcadams\""},
+    {"back=\"room\" room_temperature_c=\"20\"\n                    room_film_w_m2_k=\"6\"", ""},
+    {"temperature_of=\"engine\"", "temperature_c=\"-3\""},
+    {" present_from=\"2026-06-20T00:00:00Z\"", ""},
+    {"drape=\"texture\" size_u=\"2\"", ""},
+};
+const std::vector<Change> bad_warm_changes = {
+    {"step_min=\"20\"", "step_min=\"0\""},
+    {"sky_rays=\"128\"", "sky_rays=\"0\""},
+    {"growth=\"1.5\"", "growth=\"0.9\""},
+    {"<weather_file file=\"weather.csv\" format=\"csv\" any_year=\"true\" long_wave=\"swinbank\"/>",
+     ""},
+    {"format=\"csv\"", "format=\"xls\""},
+    {"<weather_file file", "<clear_sky/><weather_file file"},
+    {"default_temperature_c=\"15\"", "default_temperature_c=\"-274\""},
+    {"solve=\"true\"", "solve=\"yes\""},
+    {"convection=\"simple\"", "convection=\"forced\""},
+    {"roughness=\"smooth\"", "roughness=\"flat\""},
+    {"wetness=\"0.1\"", "wetness=\"1.1\""},
+    {"back=\"room\"", "back=\"cellar\""},
+    {"<layer substance=\"steel_sheet\"", "<sheet substance=\"steel_sheet\""},
+    {"density_kg_m3=\"30\"", "density_kg_m3=\"0\""},
+    {"<temperature_table file=\"weather.csv\" column=\"engine_c\"/>", "<temperature_table/>"},
+    {"<slice utc=\"2026-06-21T17:00:00Z\"", "<slice"},
+    {"utc=\"2026-06-21T17:00:00Z\" file", "utc=\"2026-06-21\" file"},
+    {"unit=\"C\"", "unit=\"F\""},
+    {"offset_k=\"-1.5\"", "offset_k=\"-1.5 K\""},
+    {"present_until=\"2026-06-21T15:30:00Z\"", "present_until=\"15:30\""},
+    {"raster=\"ground.asc\">", "raster=\"ground.asc\" temperature_k=\"3\">"},
+    {"truth_temperature=\"true\"", "truth_temperature=\"1\""},
+};
+const std::vector<Change> meaning_warm_changes = {
+    {"step_min=\"20\"", "step_min=\"21\""},
+    {"default_temperature_c=\"15\"", ""},
+    {"default_temperature_c=\"15\"", "default_temperature_c=\"15\" default_temperature_k=\"288\""},
+    {"<material name=\"asphalt\"", "<material name=\"asphalt\" temperature_k=\"3\""},
+    {"roughness=\"smooth\"", "film_w_m2_k=\"3\""},
+    {"back=\"room\"", "back=\"open\""},
+    {"substance=\"steel_sheet\" thickness_m=\"0.001\"", "substance=\"steel_sheet\""},
+    {"file=\"ground.asc\" band=\"1\" gain", "gain"},
+    {"temperature_of=\"engine\"", "temperature_of=\"motor\""},
+    {"temperature_of=\"engine\"", "temperature_of=\"engine\" temperature_k=\"3\""},
+    {"2026-06-21T10:00:00Z", "2026-06-21T18:00:00Z"},
+};
+
 /// Writes every changed text to a file of its own in `folder`.
-std::vector<fs::path> write_changed(const test::TemporaryFolder& folder,
+std::vector<fs::path> write_changed(const test::TemporaryFolder& folder, const std::string& text,
                                     const std::vector<Change>& changes) {
   std::vector<fs::path> files;
   for (const Change& change : changes) {
     files.push_back(folder / (std::to_string(files.size()) + ".xml"));
-    std::ofstream{files.back(), std::ios::binary}
-        << test::replaced(test::full_text(), change.from, change.to);
+    std::ofstream{files.back(), std::ios::binary} << test::replaced(text, change.from, change.to);
   }
   return files;
 }
 
-/// Both must say what is expected of them for every change.
-void check_changes(const std::vector<Change>& changes, bool reader, bool schema_too) {
+struct Verdict {
+  bool reader = false, schema = false;  ///< whether each takes every change
+};
+
+void check_changes(const std::string& text, const std::vector<Change>& changes, Verdict expected) {
   const test::TemporaryFolder folder;
-  const std::vector<fs::path> files = write_changed(folder, changes);
+  const std::vector<fs::path> files = write_changed(folder, text, changes);
   const auto valid = has_xmllint() ? xmllint(files) : std::map<std::string, bool>{};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     CAPTURE(changes[i].from, changes[i].to);
-    CHECK(reader_takes(test::file_text(files[i])) == reader);
-    if (!valid.empty()) CHECK(valid.at(files[i].string()) == schema_too);
+    CHECK(reader_takes(test::file_text(files[i])) == expected.reader);
+    if (!valid.empty()) CHECK(valid.at(files[i].string()) == expected.schema);
   }
 }
 
@@ -266,6 +320,7 @@ TEST_CASE("the table's defaults are those of the plain data", "[scenario][schema
   CHECK(s.products.exr == ProductsInput{}.exr);
   CHECK(s.products.quick_look == ProductsInput{}.quick_look);
   CHECK(s.products.truth == ProductsInput{}.truth);
+  CHECK(s.products.truth_temperature == ProductsInput{}.truth_temperature);
 }
 
 TEST_CASE("the shipped schema and reference page are up to date", "[scenario][schema]") {
@@ -277,15 +332,18 @@ TEST_CASE("the shipped schema and reference page are up to date", "[scenario][sc
 }
 
 TEST_CASE("reader and XML schema take the same good scenarios", "[scenario][schema]") {
-  check_changes(good_changes, true, true);
+  check_changes(test::full_text(), good_changes, {true, true});
+  check_changes(test::warm_text(), good_warm_changes, {true, true});
 }
 
 TEST_CASE("reader and XML schema refuse the same bad forms", "[scenario][schema]") {
-  check_changes(bad_changes, false, false);
+  check_changes(test::full_text(), bad_changes, {false, false});
+  check_changes(test::warm_text(), bad_warm_changes, {false, false});
 }
 
 TEST_CASE("mistakes of meaning are the reader's alone", "[scenario][schema]") {
-  check_changes(meaning_changes, false, true);
+  check_changes(test::full_text(), meaning_changes, {false, true});
+  check_changes(test::warm_text(), meaning_warm_changes, {false, true});
 }
 
 TEST_CASE("reader and XML schema agree on material libraries", "[scenario][schema]") {
@@ -293,6 +351,14 @@ TEST_CASE("reader and XML schema agree on material libraries", "[scenario][schem
       {"<materials>\n<material name=\"a\" emissivity=\"1\"/></materials>", true},
       {"<materials>\n<material name=\"a\" emissivity=\"1\"><lambertian/></material></materials>",
        true},
+      {"<materials>\n<material name=\"a\" emissivity=\"1\"><heat_balance><layer substance=\"b\"/>"
+       "</heat_balance></material></materials>",
+       true},
+      {"<materials>\n<material name=\"a\" emissivity=\"1\"><heat_balance/></material></materials>",
+       false},
+      {"<materials>\n<material name=\"a\" emissivity=\"1\"><air_temperature/></material>"
+       "</materials>",
+       false},
       {"<materials>\n</materials>", false},
       {"<materials>\n<material emissivity=\"1\"/></materials>", false},
       {"<materials>\n<material name=\"a\" emissivity=\"2\"/></materials>", false},
@@ -313,9 +379,10 @@ TEST_CASE("reader and XML schema agree on material libraries", "[scenario][schem
 }
 
 TEST_CASE("every shipped scenario and library is valid in both", "[scenario][schema]") {
-  std::vector<fs::path> files = {test::data_folder() / "minimal.xml",
-                                 test::data_folder() / "full.xml",
-                                 test::data_folder() / "materials.xml"};
+  std::vector<fs::path> files;
+  for (const char* name : {"minimal", "full", "warm", "materials", "warm_library"}) {
+    files.push_back(test::data_folder() / (std::string{name} + ".xml"));
+  }
   for (const auto& entry : fs::recursive_directory_iterator{source_folder / "scenes"}) {
     if (entry.path().extension() == ".xml") files.push_back(entry.path());
   }

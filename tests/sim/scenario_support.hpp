@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -12,7 +13,7 @@
 #include "core/error.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
-// What the tests of the scenario reader share: the two good scenarios and small changes to them.
+// What the tests of the scenario reader share: the three good scenarios and small changes to them.
 
 namespace nadir::test {
 
@@ -28,6 +29,7 @@ inline std::string file_text(const std::filesystem::path& file) {
 
 inline std::string minimal_text() { return file_text(data_folder() / "minimal.xml"); }
 inline std::string full_text() { return file_text(data_folder() / "full.xml"); }
+inline std::string warm_text() { return file_text(data_folder() / "warm.xml"); }
 
 /// A folder of its own for one test, since tests run side by side; gone when the test ends.
 class TemporaryFolder {
@@ -51,6 +53,12 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The temperature that a material states; NaN where it comes from elsewhere.
+inline double kelvin_of(const sim::MaterialInput& material) {
+  const auto* constant = std::get_if<sim::ConstantTemperatureInput>(&material.temperature);
+  return constant != nullptr ? constant->kelvin : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// `text` with the first `from` replaced; a test whose `from` is not there is itself wrong.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

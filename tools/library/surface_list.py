@@ -1,4 +1,4 @@
-"""Which surfaces ship: name -> source and description."""
+"""Which surfaces ship: name -> source and description; and what lies beneath them."""
 
 CANOPY = ("Reflectance of the whole canopy seen from above, shadows between and within crowns "
           "included: darker than single leaves. On modelled leaves and crowns it counts those "
@@ -116,4 +116,157 @@ MANMADE = {
         "Glass passes light below about 4.5 um. As an opaque material it absorbs what it does not "
         "reflect: right for a window of a dark room, wrong for a greenhouse."]),
     "marble_white": ("marble_0722", "White marble, weathered", []),
+}
+
+
+# What usually lies beneath each surface, for the heat balance. Each stack: layers from the surface
+# inwards (substance of thermal.csv, thickness in m; None, of the last: as deep as the day's wave
+# goes), attributes of <heat_balance> that differ from its defaults, and the reason in a line.
+# Roughness as EnergyPlus' Engineering Reference gives it to walls: stucco very rough, brick rough,
+# concrete medium rough, clear pine medium smooth, smooth plaster smooth, glass very smooth.
+
+SOIL = ("soil_clay_moist", None)
+INSIDE_K = 293.15  # heated or cooled
+ROOM = {"back": "room", "room_temperature_k": INSIDE_K}
+AIRY = {"back": "room"}  # an attic, a barn: its air has the outdoor temperature
+OPEN = {"back": "open"}  # weather on both sides
+DEEP_ICE_K = 273.15
+
+
+def grass(depth_m: float, wetness: float, reason: str) -> tuple:
+    return ([("grass_canopy", depth_m), SOIL], {"roughness": "very_rough", "wetness": wetness},
+            reason)
+
+
+def crowns(wetness: float, reason: str) -> tuple:
+    return [("leaf_green", 0.0005)], {"roughness": "rough", "wetness": wetness, **OPEN}, reason
+
+
+def road(asphalt_m: float, reason: str) -> tuple:
+    return ([("asphalt_pavement", asphalt_m), ("soil_sandy_moist", 0.3), SOIL],
+            {"roughness": "medium_rough"}, reason)
+
+
+def slab(concrete_m: float, reason: str) -> tuple:
+    return [("concrete_dense", concrete_m), SOIL], {"roughness": "medium_rough"}, reason
+
+
+def brick_wall(reason: str) -> tuple:
+    return ([("brick_red", 0.1), ("insulation_board", 0.05), ("gypsum_board", 0.013)],
+            {"roughness": "rough", **ROOM}, reason)
+
+
+def wooden_wall(cladding: str, thickness_m: float, reason: str) -> tuple:
+    return ([(cladding, thickness_m), ("plywood", 0.0127), ("insulation_board", 0.09),
+             ("gypsum_board", 0.013)], {"roughness": "medium_smooth", **ROOM}, reason)
+
+
+def pitched_roof(cover: str, thickness_m: float, roughness: str, reason: str) -> tuple:
+    return ([(cover, thickness_m), ("plywood", 0.0127)], {"roughness": roughness, **AIRY}, reason)
+
+
+def flat_roof(cover: str, thickness_m: float, reason: str) -> tuple:
+    return ([(cover, thickness_m), ("insulation_board", 0.1), ("steel_sheet", 0.0008)],
+            {"roughness": "medium_rough", **ROOM}, reason)
+
+
+def barn_roof(metal: str, reason: str) -> tuple:
+    return [(metal, 0.0008)], {"roughness": "smooth", **AIRY}, reason
+
+
+def sheet(metal: str, thickness_m: float, reason: str) -> tuple:
+    return [(metal, thickness_m)], {"roughness": "smooth", **OPEN}, reason
+
+
+LAWN = ("air over grass resists vapour by 104 s/m at 2 m/s, the leaves by 50 more by day and 200 "
+        "by night (ASCE-EWRI 2005): shares of 0.7 and 0.3")
+SHINGLES = "shingle on plywood, ventilated attic: its insulation lies on the attic's floor"
+BARN = "bare sheet over a barn: the air inside follows that outside"
+WALL = "common wall of a heated house"
+PAINTED_METAL = "a car's body or a sign: sheet with air on both sides"
+CROWN = "leaf with air on both sides: follows the air; a crown's wood and air are left out"
+
+STACKS = {
+    "compacted_soil": ([("soil_sandy_dry", 0.02), SOIL], {"roughness": "medium_rough"},
+                       "a dry crust, through which hardly any vapour comes, on moist soil"),
+    "tilled_soil": ([("soil_clay_dry", 0.05), SOIL],
+                    {"roughness": "very_rough", "wetness": 0.05},
+                    "loose clods dry to a plough's first centimetres; some vapour from between"),
+    "wet_soil": ([("soil_clay_saturated", None)], {"roughness": "rough", "wetness": 0.9},
+                 "saturated soil evaporates nearly as open water does, until it dries"),
+    "sand": ([("soil_sandy_dry", None)], {"roughness": "medium_rough"},
+             "dry as deep as the day's wave goes"),
+    "rock": ([("stone", None)], {"roughness": "rough"}, "outcrop of massive rock"),
+    "meadow_grass": grass(0.10, 0.4, "as irrigated_vegetation, but short of water now and then"),
+    "meadow_grass_as_published": grass(0.10, 0.4, "as meadow_grass: only the spectrum differs"),
+    "irrigated_vegetation": grass(0.15, 0.5, "never short of water; " + LAWN),
+    "grass_on_soil": grass(0.03, 0.25, "half of it bare: less vapour than a meadow gives"),
+    "scrub": grass(0.20, 0.2, "dry places' leaves close their pores"),
+    "broadleaf_forest": crowns(0.4, CROWN),
+    "pine_forest": crowns(0.3, CROWN + "; needles give off less vapour"),
+    "mixed_forest": crowns(0.4, CROWN),
+    "tundra": ([("grass_canopy", 0.05), ("peat_saturated", None)],
+               {"roughness": "rough", "wetness": 0.5}, "thin growth on wet peat"),
+    "urban_concrete": slab(0.15, "streets and yards; a town's roofs and walls differ"),
+    "water": ([("water_mixed", 1.0)], {"roughness": "very_smooth", "wetness": 1.0},
+              "a pond 1 m deep, stirred by wind: nothing through its bed within a day"),
+    "ice_smooth": ([("ice", 0.3)],
+                   {"roughness": "very_smooth", "wetness": 1.0, "back": "fixed",
+                    "back_temperature_k": DEEP_ICE_K},
+                   "a lake's ice on freezing water; not for summer: nothing melts"),
+    "aluminium_polished": sheet("aluminium", 0.001, "plate with air on both sides"),
+    "copper_polished": sheet("copper", 0.001, "plate with air on both sides"),
+    "iron_polished": sheet("steel_carbon_painted", 0.003, "plate with air on both sides; optics "
+                                                          "are the spectrum's, not paint's"),
+    # gold_polished: a coat, whatever carries it: no default
+    "asphalt_road": road(0.10, "wearing and base course on gravel, moist as roadbeds are"),
+    "asphalt_black": road(0.15, "a runway's thicker asphalt on gravel"),
+    "asphaltic_concrete": road(0.10, "as asphalt_road"),
+    "tar_matte": flat_roof("built_up_roofing", 0.0095, "tar on an insulated flat roof"),
+    "tar_glossy": flat_roof("built_up_roofing", 0.0095, "tar on an insulated flat roof"),
+    "concrete_light": slab(0.30, "a runway's slab"),
+    "concrete_weathered": slab(0.15, "a yard's or a foundation's slab"),
+    "concrete_bridge": ([("concrete_dense", 0.25)],
+                        {"roughness": "medium_rough", **AIRY, "room_film_w_m2_k": 15.0},
+                        "a deck with moving air beneath: cools from both sides, freezes first"),
+    "concrete_soiled": slab(0.15, "a pavement's slab"),
+    "cinder_block": ([("concrete_lightweight", 0.2), ("gypsum_board", 0.013)],
+                     {"roughness": "rough", **ROOM}, "uninsulated wall of a heated building"),
+    "cinders": ([("soil_sandy_dry", 0.15), SOIL], {"roughness": "very_rough"},
+                "a railroad's bed: loose grains with air between conduct as dry sand does"),
+    "brick_red": brick_wall(WALL),
+    "brick_weathered": brick_wall(WALL),
+    "terracotta_tile": pitched_roof("slate_or_tile", 0.0127, "rough",
+                                    "tiles on boards, ventilated attic"),
+    "slate": pitched_roof("slate_or_tile", 0.008, "medium_rough",
+                          "slates on boards, ventilated attic"),
+    "asphalt_shingle_grey": pitched_roof("asphalt_shingle", 0.0064, "rough", SHINGLES),
+    "asphalt_shingle_reddish": pitched_roof("asphalt_shingle", 0.0064, "rough", SHINGLES),
+    "asphalt_shingle_reddish_old": pitched_roof("asphalt_shingle", 0.0064, "rough", SHINGLES),
+    "asphalt_shingle_white": pitched_roof("asphalt_shingle", 0.0064, "rough", SHINGLES),
+    "galvanised_steel": barn_roof("steel_sheet", BARN),
+    "galvanised_steel_dark": barn_roof("steel_sheet", BARN),
+    "galvanised_steel_oxidised": barn_roof("steel_sheet", BARN),
+    "aluminium_weathered": barn_roof("aluminium", BARN),
+    "copper": pitched_roof("copper", 0.0006, "smooth", "copper on boards, ventilated attic"),
+    "copper_patina": pitched_roof("copper", 0.0006, "smooth", "copper on boards, ventilated attic"),
+    "tar_paper": pitched_roof("built_up_roofing", 0.003, "medium_rough",
+                              "paper on boards, ventilated attic or shed"),
+    "tar_paper_weathered": pitched_roof("built_up_roofing", 0.003, "medium_rough",
+                                        "paper on boards, ventilated attic or shed"),
+    "rubber_roof_white": flat_roof("rubber_tyre", 0.0015, "rubber on insulation on a steel deck"),
+    "rubber_roof_coating_white": flat_roof("rubber_tyre", 0.0015,
+                                           "rubber on insulation on a steel deck"),
+    "rubber_roof_black": flat_roof("rubber_tyre", 0.0015, "rubber on insulation on a steel deck"),
+    "paint_olive_on_metal": sheet("steel_carbon_painted", 0.001, PAINTED_METAL),
+    "paint_olive_on_wood": wooden_wall("wood_solid", 0.02, WALL + " of painted boards"),
+    "paint_black_on_metal": sheet("steel_carbon_painted", 0.001, PAINTED_METAL),
+    "paint_black_on_wood": wooden_wall("wood_solid", 0.02, WALL + " of painted boards"),
+    "wood_weathered": wooden_wall("wood_siding", 0.0127, WALL + " with bare siding"),
+    "wood_sanded": wooden_wall("wood_siding", 0.0127, WALL + " with bare siding"),
+    "window_glass": ([("window_glass", 0.006)], {"roughness": "very_smooth", **ROOM},
+                     "a single pane before a heated room; it is opaque here"),
+    "marble_white": ([("stone", 0.03), ("concrete_heavyweight_ashrae", 0.2),
+                      ("insulation_board", 0.05), ("gypsum_board", 0.013)],
+                     {"roughness": "medium_smooth", **ROOM}, "a facade's facing"),
 }

@@ -3,9 +3,10 @@
 import pathlib
 from xml.sax.saxutils import quoteattr
 
-from library.surface_list import FRESNEL, MANMADE, NPOESS
-from library.tables import (SCRIPT, first_comment, interpolate, read_csv, thin_to, window,
-                            write_spectrum)
+from library import thermal
+from library.surface_list import FRESNEL, MANMADE, NPOESS, STACKS
+from library.tables import (SCRIPT, first_comment, interpolate, number, read_csv, thin_to,
+                            window, write_spectrum)
 
 RANGE_UM = (0.35, 14.0)
 TOLERANCE = 5e-4  # of reflectance: a tenth of what the best of these measurements claim
@@ -114,18 +115,49 @@ def write_fresnel(reference: pathlib.Path, output: pathlib.Path) -> list:
     return entries
 
 
+def attributes(values: dict) -> str:
+    return "".join(f" {key}={quoteattr(v if isinstance(v, str) else number(v))}"
+                   for key, v in values.items())
+
+
+def heat_balance(name: str) -> list:
+    """Lines of what lies beneath a surface; none where nothing usual does."""
+    if name not in STACKS:
+        return []
+    layers, values, _ = STACKS[name]
+    lines = [f"    <heat_balance{attributes(values)}>"]
+    for substance, thickness_m in layers:
+        deep = {} if thickness_m is None else {"thickness_m": thickness_m}
+        lines.append(f"      <layer{attributes({'substance': substance, **deep})}/>")
+    return [*lines, "    </heat_balance>"]
+
+
 def write_materials(output: pathlib.Path, entries: list) -> None:
     lines = ['<?xml version="1.0" encoding="UTF-8"?>',
              "<!-- Materials that ship with Nadir. Written by tools/make_library.py; format:",
              "     docs/formats.md, sources and licences: the top of each spectrum and "
-             "README.md. -->",
+             "README.md;",
+             "     what lies beneath the surfaces and why: docs/thermal-database.md. -->",
              "<materials>"]
     for name, description in entries:
+        below = heat_balance(name)
         lines += [f"  <material name={quoteattr(name)}",
                   f"            description={quoteattr(description)}",
-                  f"            reflectance={quoteattr(f'spectra/{name}.csv')}/>"]
+                  f"            reflectance={quoteattr(f'spectra/{name}.csv')}"
+                  f"{'>' if below else '/>'}"]
+        lines += [*below, "  </material>"] if below else []
     lines.append("</materials>")
     (output / "materials.xml").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+
+
+def check_stacks(entries: list, substances: set) -> None:
+    """Stacks belong to materials that ship and are made of substances that do."""
+    unknown = set(STACKS) - {name for name, _ in entries}
+    for layers, _, _ in STACKS.values():
+        unknown |= {substance for substance, _ in layers} - substances
+        unknown |= {substance for substance, depth in layers[:-1] if depth is None}
+    if unknown:
+        raise ValueError(f"stacks name what there is not: {', '.join(sorted(unknown))}")
 
 
 def report(output: pathlib.Path, names: list) -> None:
@@ -142,6 +174,7 @@ def report(output: pathlib.Path, names: list) -> None:
 def write(reference: pathlib.Path, output: pathlib.Path) -> None:
     entries = (write_npoess(reference, output) + write_fresnel(reference, output) +
                write_manmade(reference, output))
+    check_stacks(entries, thermal.names(reference))
     write_materials(output, entries)
     print(f"surfaces: {len(entries)} materials; reflectance at 0.48 0.56 0.66 0.86 1.61 2.20 um, "
           "emissivity at 3.9 8.5 10.9 12.0 um")

@@ -1,4 +1,4 @@
-#include "radiometry/volumes/planck_table.hpp"
+#include "radiometry/planck_table.hpp"
 
 #include <algorithm>
 #include <cmath>

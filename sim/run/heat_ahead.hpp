@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim/products/report.hpp"
+#include "sim/run/world.hpp"
+
+namespace nadir::sim {
+
+/// Solves the heat balance of what the first path of every pixel meets, all of it in parallel, so
+/// that few rays of the picture have to wait for a temperature. Nothing where no band sees heat.
+void solve_heat_ahead(const World& world, std::uint64_t seed);
+
+/// What the heat balance has cost so far; empty where nothing is solved.
+[[nodiscard]] ReportValues heat_report(const World& world);
+
+}  // namespace nadir::sim
