@@ -4,9 +4,6 @@
 
 namespace nadir::radiometry {
 
-/// What the sun heats stays below this.
-inline constexpr Kelvin warmest_under_the_sun{400.0};
-
 /// Radiance below which what a surface emits is lost in what it reflects, W m^-2 sr^-1 um^-1.
 ///
 /// Under the sun or moon: 1e-6 of a white surface's radiance outside the air, which is a thousandth

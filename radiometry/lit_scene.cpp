@@ -40,11 +40,6 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
   return targets;
 }
 
-/// How warm a material of varying temperature may be.
-Kelvin warmest_expected(const thermal::TemperatureField& field, std::size_t material) {
-  return field.solved(material) ? warmest_under_the_sun : field.range(material).hottest;
-}
-
 /// Whether a surface of that temperature is seen to emit at any lane.
 bool counts_somewhere(Kelvin temperature, const std::vector<Target>& targets,
                       const spectral::Lanes& lanes) {
@@ -92,7 +87,7 @@ void LitScene::bind_temperatures() {
   PlanckTable::Reach reach{Kelvin{1e9}, Kelvin{0.0}};
   for (std::size_t i = 0; i < field.size(); ++i) {
     const auto constant = field.constant(i);
-    const bool counts = !constant && counts_somewhere(warmest_expected(field, i), targets_, lanes_);
+    const bool counts = !constant && counts_somewhere(field.warmest_expected(i), targets_, lanes_);
     varies_.push_back(counts);
     black_body_.push_back(spectral::planck(lanes_, constant.value_or(Kelvin{0.0})));
     even_emission_.push_back(materials_[i].own_emissivity * black_body_.back());

@@ -12,9 +12,6 @@ namespace {
 
 /// What the heat balance keeps its temperatures within (conduction/column.hpp).
 constexpr TemperatureRange solved_range{Kelvin{2.7}, Kelvin{2000.0}};
-/// What scenarios may state.
-constexpr TemperatureRange stated_range{Kelvin{0.0}, Kelvin{6000.0}};
-
 void check_kelvin(double value) {
   if (!std::isfinite(value) || value < 0.0) {
     throw InputError{"a temperature is " + std::to_string(value) + " K, expected at least 0 K"};
@@ -84,7 +81,7 @@ TemperatureRange range_of(const MappedTemperature& source) {
   const auto [lo, hi] = std::minmax_element(source.kelvin.begin(), source.kelvin.end());
   return {Kelvin{static_cast<double>(*lo)}, Kelvin{static_cast<double>(*hi)}};
 }
-TemperatureRange range_of(const VertexTemperature& /*source*/) { return stated_range; }
+TemperatureRange range_of(const VertexTemperature& source) { return {Kelvin{0.0}, source.hottest}; }
 TemperatureRange range_of(const SolvedTemperature& /*source*/) { return solved_range; }
 TemperatureRange range_of(const UnaskedTemperature& /*source*/) { return {}; }
 
@@ -106,6 +103,16 @@ Kelvin TemperatureField::at(const geometry::Hit& hit) const {
 std::optional<Kelvin> TemperatureField::constant(std::size_t material) const noexcept {
   const auto* source = std::get_if<ConstantTemperature>(&by_material_[material]);
   return source != nullptr ? std::optional{source->value} : std::nullopt;
+}
+
+Kelvin TemperatureField::warmest_expected(std::size_t material) const noexcept {
+  const auto* solved = std::get_if<SolvedTemperature>(&by_material_[material]);
+  return solved != nullptr ? solved->warmest : range_[material].hottest;
+}
+
+const materials::MapFrame* TemperatureField::map_frame(std::size_t material) const noexcept {
+  const auto* map = std::get_if<MappedTemperature>(&by_material_[material]);
+  return map != nullptr ? &map->frame : nullptr;
 }
 
 bool TemperatureField::solved(std::size_t material) const noexcept {

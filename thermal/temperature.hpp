@@ -25,10 +25,14 @@ struct MappedTemperature {
 struct VertexTemperature {
   std::shared_ptr<const geometry::Scene> scene;
   double gain = 1.0, offset_k = 0.0;
+  Kelvin hottest{6000.0};  ///< of all that the scene's meshes give
 };
+/// What the sun heats stays below this.
+inline constexpr Kelvin warmest_under_the_sun{400.0};
 /// From the heat balance.
 struct SolvedTemperature {
   std::shared_ptr<const HeatSolver> solver;
+  Kelvin warmest = warmest_under_the_sun;  ///< to be expected: decides who sees it emit
 };
 /// Nobody asks: no band of the picture sees what the surface emits.
 struct UnaskedTemperature {};
@@ -58,6 +62,10 @@ class TemperatureField {
   [[nodiscard]] TemperatureRange range(std::size_t material) const noexcept {
     return range_[material];
   }
+  /// How warm a material may be expected to be; never below range() but for what is solved.
+  [[nodiscard]] Kelvin warmest_expected(std::size_t material) const noexcept;
+  /// Where a material's map of temperatures lies; null where it has none.
+  [[nodiscard]] const materials::MapFrame* map_frame(std::size_t material) const noexcept;
   /// Whether its temperatures must be solved for.
   [[nodiscard]] bool solved(std::size_t material) const noexcept;
   [[nodiscard]] std::size_t size() const noexcept { return by_material_.size(); }

@@ -22,7 +22,17 @@ struct TemperatureOptions {
   std::vector<double> point, look;
 };
 
+void check_finite(const std::vector<double>& values, const char* option) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) {
+      throw InputError{fmt::format("{} holds {}, expected finite numbers", option, value)};
+    }
+  }
+}
+
 PlaceQuestion question_of(const TemperatureOptions& options) {
+  check_finite(options.point, "--point");
+  check_finite(options.look, "--look");
   if (options.point.size() < 2 || options.point.size() > 3) {
     throw InputError{fmt::format(
         "--point has {} numbers, expected east,north or east,north,up in m", options.point.size())};

@@ -50,7 +50,7 @@ constexpr HeatColumn fluxes[] = {
      [](const HeatRecord::Row& r) { return r.terms.convected; }},
     {"evaporated_w_m2", "evap.", "evaporation", "#8e44ad",
      [](const HeatRecord::Row& r) { return r.terms.evaporated; }},
-    {"conducted_w_m2", "stored", "into the layers", "#000000",
+    {"conducted_w_m2", "into", "into the layers", "#000000",
      [](const HeatRecord::Row& r) { return r.conducted; }},
 };
 constexpr HeatColumn surroundings[] = {

@@ -68,9 +68,14 @@ void check_cover(const Scenario& scenario, const radiometry::SceneDescription& s
       if (hit->material >= scene.materials.size()) {
         const std::size_t map = hit->material - scene.materials.size();
         look(scene.maps[map].frame, *hit, seen["map " + scenario.maps[map].name]);
-      } else if (const auto& relief = scene.materials[hit->material].relief) {
-        look(relief->frame, *hit,
-             seen["the relief of material " + scene.materials[hit->material].name]);
+        continue;
+      }
+      const materials::Material& material = scene.materials[hit->material];
+      if (material.relief) {
+        look(material.relief->frame, *hit, seen["the relief of material " + material.name]);
+      }
+      if (const MapFrame* frame = scene.temperature.map_frame(hit->material)) {
+        look(*frame, *hit, seen["the raster of temperatures of material " + material.name]);
       }
     }
   }

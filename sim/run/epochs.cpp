@@ -12,7 +12,8 @@
 namespace nadir::sim {
 namespace {
 
-constexpr std::size_t most_epochs = 32;  // bits of a ray's mask
+constexpr std::size_t most_epochs = 32;    // bits of a ray's mask
+constexpr double clock_rounding_s = 1e-6;  // differences of instants are good to 1e-10 s
 constexpr double ever = std::numeric_limits<double>::infinity();
 
 const PresenceInput* presence_of(const GeometryInput& input) {
@@ -59,9 +60,17 @@ std::uint32_t Epochs::of(const PresenceInput& presence) const {
   return mask;
 }
 
+double Epochs::first_change_s(double within_s) const {
+  double first_s = 0.0;
+  for (const double begin_s : begins_s_) {
+    if (begin_s >= -within_s) first_s = std::max(first_s, -begin_s);
+  }
+  return first_s;
+}
+
 std::uint32_t Epochs::at(double time_s) const {
   std::size_t i = 0;
-  while (time_s < begins_s_[i]) ++i;  // the last begins at minus infinity
+  while (time_s < begins_s_[i] - clock_rounding_s) ++i;  // the last begins at minus infinity
   return 1U << i;
 }
 

@@ -19,6 +19,9 @@ class Epochs {
   /// The bit of a moment.
   /// @param time_s  seconds after the picture, at most 0
   [[nodiscard]] std::uint32_t at(double time_s) const;
+  /// How long before the picture the first object came or went that did so in the last
+  /// `within_s`; 0 where none did.
+  [[nodiscard]] double first_change_s(double within_s) const;
 
  private:
   [[nodiscard]] double after_picture_s(const ephemeris::Instant& time) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "sim/files/text_tokens.hpp"
@@ -9,6 +10,7 @@
 #include "sim/files/weather_surfrad.hpp"
 #include "sim/files/weather_typical.hpp"
 #include "sim/run/clear_sky_weather.hpp"
+#include "sim/run/file_weather_check.hpp"
 #include "sim/run/file_weather_derive.hpp"
 #include "sim/run/file_weather_rows.hpp"
 #include "sim/run/file_weather_sun.hpp"
@@ -103,6 +105,14 @@ WeatherRecord read_record(const WeatherFileInput& input, const UtcSpan& needed, 
   return record;
 }
 
+thermal::ClearSkyFormula formula_of(SkyLongWave choice) {
+  using thermal::ClearSkyFormula;
+  if (choice == SkyLongWave::swinbank) return ClearSkyFormula::swinbank;
+  if (choice == SkyLongWave::brutsaert) return ClearSkyFormula::brutsaert;
+  if (choice == SkyLongWave::idso) return ClearSkyFormula::idso;
+  return ClearSkyFormula::prata;
+}
+
 bool lacks_long_wave(const std::vector<WeatherRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const WeatherRow& row) {
     return std::isnan(row[WeatherQuantity::sky_long_wave_w_m2]);
@@ -125,15 +135,17 @@ thermal::Weather file_weather(const Scenario& scenario, const WeatherFileInput& 
     return rows_within(record, {needed.from_s - margin_s, needed.to_s + margin_s}, any_year, told);
   };
   const std::vector<WeatherRow> rows = about(row_margin_s, diagnostics);
-  check_coverage(record, rows, needed, diagnostics);
+  check_coverage(record, rows, needed, input.where, diagnostics);
   const SunHeights sun{scenario.time, site, -history_s - sun_margin_s - seconds_a_day,
                        sun_margin_s + seconds_a_day};
   Diagnostics beyond;  // what is told of days that are not needed
-  check_sunlight_times(record, about(sun_margin_s, beyond), sun, moment_utc_s, diagnostics);
+  const std::vector<WeatherRow> sunlit = about(sun_margin_s, beyond);
+  check_sunlight_times(record, sunlit, sun, moment_utc_s, diagnostics);
+  check_sunlight_is_there(record, sunlit, sun, needed, diagnostics);
+  check_humidity(record, rows);
+  check_air_temperature(record, rows, site, needed, diagnostics);
 
-  SkyChoice sky{input.long_wave == SkyLongWave::swinbank ? thermal::ClearSkyFormula::swinbank
-                                                         : thermal::ClearSkyFormula::brutsaert,
-                nullptr};
+  SkyChoice sky{formula_of(input.long_wave), nullptr};
   thermal::Weather clear;
   if (input.long_wave == SkyLongWave::from_air && lacks_long_wave(rows)) {
     ClearSkyInput of_air;
@@ -147,6 +159,21 @@ thermal::Weather file_weather(const Scenario& scenario, const WeatherFileInput& 
   thermal::Weather weather = weather_of(record, moments, needed, heat_step_s, diagnostics);
   at_element(input.where, [&] { thermal::check(weather); });
   return weather;
+}
+
+double file_weather_reaches_back_s(const Scenario& scenario, const WeatherFileInput& input,
+                                   double longest_s, InputFiles& files) {
+  const double moment_utc_s = utc_seconds(scenario.time);
+  const UtcSpan looked{moment_utc_s - longest_s, moment_utc_s};
+  InputFiles beside;  // days of SURFRAD that may not be needed are not noted
+  const WeatherRecord record = read_record(input, looked, beside);
+  files.note(input.file);
+  Diagnostics untold;
+  const std::vector<WeatherRow> rows =
+      rows_within(record, {looked.from_s - row_margin_s, looked.to_s + row_margin_s},
+                  input.any_year.value_or(record.typical_year), untold);
+  const double reach = rows_reach_back_s(record, rows, looked);
+  return reach >= longest_s ? std::numeric_limits<double>::infinity() : reach;
 }
 
 }  // namespace nadir::sim

@@ -16,4 +16,10 @@ namespace nadir::sim {
                                             double history_s, InputFiles& files,
                                             Diagnostics& diagnostics);
 
+/// How far before the picture the file has weather, as weather_reaches_back_s tells it.
+/// @param longest_s  infinity is returned where it has this
+[[nodiscard]] double file_weather_reaches_back_s(const Scenario& scenario,
+                                                 const WeatherFileInput& input, double longest_s,
+                                                 InputFiles& files);
+
 }  // namespace nadir::sim

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "sim/files/weather_text.hpp"
 #include "sim/run/file_weather_derive.hpp"
@@ -48,8 +49,8 @@ const std::array<SeriesKind, 7>& series_kinds() {
 class OneSeries {
  public:
   OneSeries(const WeatherRecord& record, const std::vector<WeatherMoment>& moments,
-            const SeriesKind& kind)
-      : record_{record}, moments_{moments}, kind_{kind} {
+            const SeriesKind& kind, double late_s)
+      : record_{record}, moments_{moments}, kind_{kind}, late_s_{late_s} {
     for (std::size_t i = 0; i < moments.size(); ++i) {
       if (!std::isnan(moments[i].state.*kind.value)) known_.push_back(i);
     }
@@ -69,10 +70,10 @@ class OneSeries {
     for (std::size_t k = 1; k < known_.size(); ++k) {
       const double gap = at(known_[k]) - at(known_[k - 1]);
       if (known_[k] - known_[k - 1] == 1 || gap <= bridged_s + bridge_slack_s) continue;
-      if (at(known_[k]) <= needed.from_s || at(known_[k - 1]) >= needed.to_s) continue;
+      if (at(known_[k]) <= needed.from_s || at(known_[k - 1]) >= needed.to_s - late_s_) continue;
       return missing_from(known_[k - 1] + 1, known_[k], fmt::format("for {:.1f} h", gap / 3600.0));
     }
-    if (at(known_.back()) < needed.to_s - bridge_slack_s && known_.back() + 1 < moments_.size()) {
+    if (at(known_.back()) < needed.to_s - late_s_ && known_.back() + 1 < moments_.size()) {
       return missing_from(known_.back() + 1, moments_.size(), "at the end");
     }
     return std::nullopt;
@@ -88,10 +89,11 @@ class OneSeries {
       if (count++ == 0) first = moment.row;
     }
     if (count == 0) return;
-    diagnostics.warn(
-        fmt::format("{}:{}: warning: {} is missing here{} and bridged",
-                    record_.files[first->file].string(), first->line, kind_.name,
-                    count == 1 ? std::string{} : fmt::format(" and in {} more rows", count - 1)));
+    warn_at_row(
+        record_, *first,
+        fmt::format("{} is missing here{} and bridged", kind_.name,
+                    count == 1 ? std::string{} : fmt::format(" and in {} more rows", count - 1)),
+        diagnostics);
   }
 
   [[nodiscard]] thermal::TimeSeries series(double heat_step_s) const {
@@ -129,23 +131,48 @@ class OneSeries {
   const WeatherRecord& record_;
   const std::vector<WeatherMoment>& moments_;
   const SeriesKind& kind_;
+  double late_s_;
   std::vector<std::size_t> known_;
 };
+
+/// Where the file covers an end by its intervals, the first and last value hold up to it: means of
+/// an hour that are drawn through its middle, temperatures at the ends of the first hour.
+void hold_to(thermal::TimeSeries& series, double from_s, double to_s) {
+  if (series.time_s.size() < 2) return;  // a single value holds for all times
+  if (series.time_s.front() > from_s) {
+    series.time_s.insert(series.time_s.begin(), from_s);
+    series.value.insert(series.value.begin(), series.value.front());
+  }
+  if (series.time_s.back() < to_s) {
+    series.time_s.push_back(to_s);
+    series.value.push_back(series.value.back());
+  }
+}
+
+double late_end_of(const std::vector<WeatherMoment>& moments) {
+  std::vector<WeatherRow> rows;
+  for (const WeatherMoment& moment : moments) rows.push_back(*moment.row);
+  return late_end_s(rows);
+}
 
 }  // namespace
 
 thermal::Weather weather_of(const WeatherRecord& record, const std::vector<WeatherMoment>& moments,
                             const UtcSpan& needed, double heat_step_s, Diagnostics& diagnostics) {
   thermal::Weather weather;
+  const double late_s = late_end_of(moments);
+  // Times of series count from the picture.
+  const double picture_utc_s = moments.front().row->utc_s - moments.front().time_s;
   std::vector<InputIssue> issues;
   for (const SeriesKind& kind : series_kinds()) {
-    const OneSeries one{record, moments, kind};
+    const OneSeries one{record, moments, kind, late_s};
     if (auto mistake = one.mistake(needed)) {
       issues.push_back(std::move(*mistake));
       continue;
     }
     one.tell_of_bridges(needed, diagnostics);
     weather.*kind.series = one.series(heat_step_s);
+    hold_to(weather.*kind.series, needed.from_s - picture_utc_s, needed.to_s - picture_utc_s);
   }
   if (!issues.empty()) throw InputError{std::move(issues)};
   return weather;

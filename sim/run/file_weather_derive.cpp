@@ -16,14 +16,10 @@ using Q = WeatherQuantity;
 
 bool is_known(double value) { return !std::isnan(value); }
 
-double vapour_pressure_hpa(const WeatherRow& row) {
-  if (is_known(row[Q::vapour_pressure_hpa])) return row[Q::vapour_pressure_hpa];
-  if (is_known(row[Q::dew_point_k])) {
-    return thermal::vapour_pressure_of_dew_point_hpa(row[Q::dew_point_k]);
-  }
-  // NaN where either is missing.
-  return thermal::vapour_pressure_of_humidity_hpa(row[Q::air_temperature_k],
-                                                  0.01 * row[Q::relative_humidity_percent]);
+/// A little above saturation, as sensors in fog and rounded dew points show, is saturated air.
+double vapour_in_air_hpa(const WeatherRow& row) {
+  const double vapour = vapour_pressure_hpa(row), air_k = row[Q::air_temperature_k];
+  return is_known(air_k) ? std::min(vapour, thermal::saturation_over_water_hpa(air_k)) : vapour;
 }
 
 /// International standard atmosphere (ISO 2533), below 11 km.
@@ -80,7 +76,7 @@ void tell_of_sky(const WeatherRecord& record, const std::vector<WeatherRow>& row
     ++without_sky;
     if (!is_known(row[Q::cloud_fraction])) ++without_clouds;
   }
-  const std::string file = record.files.front().string() + ": warning: ";
+  const std::string file = record.files.front().string() + ": ";
   if (without_sky > 0 && without_sky < rows.size()) {
     diagnostics.warn(file + fmt::format("{} of {} rows have no long-wave radiation of the sky: a "
                                         "formula gives theirs",
@@ -107,7 +103,7 @@ class Deriver {
     const double pressure = row[Q::pressure_hpa];
     thermal::WeatherState& state = moment.state;
     state = {row[Q::air_temperature_k],
-             vapour_pressure_hpa(row),
+             vapour_in_air_hpa(row),
              is_known(pressure) ? pressure : pressure_hpa_,
              row[Q::wind_speed_m_s],
              light.direct_normal_w_m2,
@@ -136,6 +132,16 @@ class Deriver {
 };
 
 }  // namespace
+
+double vapour_pressure_hpa(const WeatherRow& row) {
+  if (is_known(row[Q::vapour_pressure_hpa])) return row[Q::vapour_pressure_hpa];
+  if (is_known(row[Q::dew_point_k])) {
+    return thermal::vapour_pressure_of_dew_point_hpa(row[Q::dew_point_k]);
+  }
+  // NaN where either is missing.
+  return thermal::vapour_pressure_of_humidity_hpa(row[Q::air_temperature_k],
+                                                  0.01 * row[Q::relative_humidity_percent]);
+}
 
 std::vector<WeatherMoment> derive(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
                                   const WeatherView& view, Diagnostics& diagnostics) {

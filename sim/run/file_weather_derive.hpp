@@ -33,13 +33,19 @@ struct WeatherView {
   SkyChoice sky;
 };
 
-/// Humidity as vapour pressure, sunlight as direct and diffuse, long-wave and pressure made where
-/// missing. Tells of a sky taken for clear because the file has no clouds.
+/// Of the row's vapour pressure, dew point or relative humidity, the first that is there; NaN where
+/// there is none.
+[[nodiscard]] double vapour_pressure_hpa(const WeatherRow& row);
+
+/// Humidity as vapour pressure, at most saturated; sunlight as direct and diffuse, long-wave and
+/// pressure made where missing. Tells of a sky taken for clear because the file has no clouds.
 [[nodiscard]] std::vector<WeatherMoment> derive(const WeatherRecord& record,
                                                 const std::vector<WeatherRow>& rows,
                                                 const WeatherView& view, Diagnostics& diagnostics);
 
-/// The moments as series over time. Values missing for up to three hours are bridged and told.
+/// The moments as series over time that reach over all of `needed`: where the file covers its ends
+/// by its intervals alone, the first and the last value hold. Values missing for up to three hours
+/// are bridged and told.
 /// @param heat_step_s  rows closer than this are averaged over it
 /// @throws InputError where something is missing altogether or for longer within `needed`
 [[nodiscard]] thermal::Weather weather_of(const WeatherRecord& record,

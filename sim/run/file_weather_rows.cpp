@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "sim/files/weather_text.hpp"
@@ -20,6 +23,33 @@ constexpr double time_slack_s = 1.0;   // leap seconds, decimals
 int year_of(double utc_s) {
   const std::chrono::sys_days day{std::chrono::days{static_cast<int>(std::floor(utc_s / 86400.0))}};
   return static_cast<int>(std::chrono::year_month_day{day}.year());
+}
+
+/// What every row has to say, or be bridged; the rest is derived.
+std::array<bool (*)(const WeatherRow&), 4> says_what_is_needed() {
+  using Q = WeatherQuantity;
+  const auto air = [](const WeatherRow& row) { return !std::isnan(row[Q::air_temperature_k]); };
+  const auto humidity = [](const WeatherRow& row) {
+    return !std::isnan(row[Q::vapour_pressure_hpa]) || !std::isnan(row[Q::dew_point_k]) ||
+           !std::isnan(row[Q::relative_humidity_percent] * row[Q::air_temperature_k]);
+  };
+  const auto wind = [](const WeatherRow& row) { return !std::isnan(row[Q::wind_speed_m_s]); };
+  const auto sunlight = [](const WeatherRow& row) {
+    return !std::isnan(row[Q::global_horizontal_w_m2]) ||
+           !std::isnan(row[Q::direct_normal_w_m2] + row[Q::diffuse_horizontal_w_m2]);
+  };
+  return {air, humidity, wind, sunlight};
+}
+
+/// The first of ascending times from which no gap is longer than can be bridged, up to `end_s`;
+/// infinity where they do not reach it.
+double unbroken_from(const std::vector<double>& times, double end_s, double late_s) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (times.empty() || times.back() < end_s - late_s) return never;
+  std::size_t first = times.size() - 1;
+  while (first > 0 && times[first - 1] >= end_s - late_s) --first;
+  while (first > 0 && times[first] - times[first - 1] <= longest_gap_s + time_slack_s) --first;
+  return times[first] > end_s ? never : times[first];
 }
 
 /// A typical record laid over the years of a span.
@@ -95,19 +125,19 @@ std::string gap_text(const WeatherRow& before, const WeatherRow& after) {
 void check_gaps(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
                 const UtcSpan& needed, Diagnostics& diagnostics) {
   const double told = std::max(told_gap_s, 1.5 * usual_step(rows)) + time_slack_s;
+  const double end_s = needed.to_s - late_end_s(rows);
   std::vector<InputIssue> issues;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const WeatherRow &before = rows[i - 1], &after = rows[i];
     const double gap = after.utc_s - before.utc_s;
-    if (after.utc_s <= needed.from_s || before.utc_s >= needed.to_s) continue;
+    if (after.utc_s <= needed.from_s || before.utc_s >= end_s) continue;
     if (gap > longest_gap_s + time_slack_s) {
       issues.push_back(row_issue(
           record, after,
           "a gap in the weather: " + gap_text(before, after) + "; at most 3 h are bridged"));
     } else if (gap > told) {
-      diagnostics.warn(fmt::format("{}:{}: warning: a gap in the weather is bridged: {}",
-                                   record.files[after.file].string(), after.line,
-                                   gap_text(before, after)));
+      warn_at_row(record, after, "a gap in the weather is bridged: " + gap_text(before, after),
+                  diagnostics);
     }
   }
   if (!issues.empty()) throw InputError{std::move(issues)};
@@ -123,6 +153,11 @@ InputIssue row_issue(const WeatherRecord& record, const WeatherRow& row, std::st
   return {{record.files[row.file].string(), row.line, 1}, std::move(message), {}, {}};
 }
 
+void warn_at_row(const WeatherRecord& record, const WeatherRow& row, const std::string& message,
+                 Diagnostics& diagnostics) {
+  diagnostics.warn(fmt::format("{}:{}: {}", record.files[row.file].string(), row.line, message));
+}
+
 std::vector<WeatherRow> rows_within(const WeatherRecord& record, const UtcSpan& span, bool any_year,
                                     Diagnostics& diagnostics) {
   if (any_year) {
@@ -131,7 +166,7 @@ std::vector<WeatherRow> rows_within(const WeatherRecord& record, const UtcSpan& 
     check_unique(record, rows);
     if (yearly.leap_day_made()) {
       diagnostics.warn(record.files.front().string() +
-                       ": warning: the weather has no 29 February: its 28th is taken again");
+                       ": the weather has no 29 February: its 28th is taken again");
     }
     return rows;
   }
@@ -145,23 +180,40 @@ std::vector<WeatherRow> rows_within(const WeatherRecord& record, const UtcSpan& 
   return rows;
 }
 
+double late_end_s(const std::vector<WeatherRow>& rows) {
+  return std::min(usual_step(rows), 600.0) + time_slack_s;
+}
+
+double rows_reach_back_s(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
+                         const UtcSpan& needed) {
+  const double late_s = late_end_s(rows);
+  double reach = std::numeric_limits<double>::infinity();
+  for (const auto& says : says_what_is_needed()) {
+    std::vector<double> times;
+    for (const WeatherRow& row : rows) {
+      if (says(row)) times.push_back(row.utc_s);
+    }
+    const double from = unbroken_from(times, needed.to_s, late_s) - record.radiation_mean_s;
+    reach = std::min(reach, needed.to_s - from + time_slack_s);
+  }
+  return std::max(0.0, reach);
+}
+
 void check_coverage(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
-                    const UtcSpan& needed, Diagnostics& diagnostics) {
-  // The first row speaks for the time that its radiation is the mean of.
+                    const UtcSpan& needed, const SourceLocation& where, Diagnostics& diagnostics) {
   const double early_s = record.radiation_mean_s + time_slack_s;
-  // Minutes end at 23:59.
-  const double late_s = std::min(usual_step(rows), 600.0) + time_slack_s;
   const bool covered = !rows.empty() && rows.front().utc_s <= needed.from_s + early_s &&
-                       rows.back().utc_s >= needed.to_s - late_s;
+                       rows.back().utc_s >= needed.to_s - late_end_s(rows);
   if (!covered) {
     UtcSpan all{record.rows.front().utc_s, record.rows.front().utc_s};
     for (const WeatherRow& row : record.rows) {
       all = {std::min(all.from_s, row.utc_s), std::max(all.to_s, row.utc_s)};
     }
     throw InputError{
-        InputIssue{{record.files.front().string(), 0, 0},
-                   "the weather does not cover the hours before the picture: needed are " +
-                       span_text(needed) + ", the file has " + span_text(all),
+        InputIssue{where,
+                   fmt::format("the weather of {} does not cover the hours before the picture: "
+                               "needed are {}, the file has {}",
+                               record.files.front().string(), span_text(needed), span_text(all)),
                    {},
                    {}}};
   }

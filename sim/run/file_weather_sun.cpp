@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -48,6 +49,10 @@ double sunlight_of(const WeatherRow& row) {
          or_none(row[WeatherQuantity::diffuse_horizontal_w_m2]);
 }
 
+double elevation_deg(const SunHeights& sun, double time_s) {
+  return std::asin(std::clamp(sun.cos_zenith(time_s), -1.0, 1.0)) / radians_a_degree;
+}
+
 /// How a record's sunlight lies to the sun.
 struct SunlightFound {
   double total = 0.0, in_the_dark = 0.0;
@@ -74,9 +79,8 @@ SunlightFound look_at_sunlight(const WeatherRecord& record, const std::vector<We
     found.total += light;
     found.sum_sin += light * std::sin(angle);
     found.sum_cos += light * std::cos(angle);
-    found.days.insert(std::lround((turning_rad_s * time - angle) / (2.0 * pi)));
-    const double elevation =
-        std::asin(std::clamp(sun.cos_zenith(time), -1.0, 1.0)) / radians_a_degree;
+    found.days.insert(sun.solar_day(time));
+    const double elevation = elevation_deg(sun, time);
     if (elevation > well_below_deg || light < bright_w_m2) continue;
     found.in_the_dark += light;
     if (found.dark != nullptr && sunlight_of(*found.dark) >= light) continue;
@@ -98,6 +102,61 @@ std::string zone_text(const WeatherRecord& record) {
   const double hours = record.utc_offset_s / 3600.0;
   return hours == 0.0 ? std::string{"the file's times are taken as UTC"}
                       : fmt::format("the file's times are taken as UTC{:+g} h", hours);
+}
+
+/// Whose latitude is known; without a longitude that of the scene is as far as can be told.
+void check_distance(const WeatherStation& station, const std::string& name, const std::string& file,
+                    const ephemeris::Site& site, Diagnostics& diagnostics) {
+  const double latitude_deg = *station.latitude_deg;
+  const double far =
+      distance_km(site, latitude_deg, station.longitude_deg.value_or(site.longitude_deg));
+  if (far <= far_km) return;
+  if (latitude_deg * site.latitude_deg < 0.0) {
+    throw InputError{InputIssue{
+        {file, 1, 1},
+        fmt::format("{} lies at latitude {:g}, the scene at {:g}: on the other hemisphere", name,
+                    latitude_deg, site.latitude_deg),
+        {},
+        {}}};
+  }
+  diagnostics.warn(fmt::format("{}: {} lies {:.0f} km from the scene", file, name, far));
+}
+
+/// What a day's rows say of its sunlight while the sun is well up.
+struct DayOfSun {
+  const WeatherRow *first = nullptr, *last = nullptr;
+  double light = 0.0, highest_deg = 0.0;
+  bool needed = false;
+
+  void add(const WeatherRow& row, double elevation, bool within) {
+    if (first == nullptr) first = &row;
+    last = &row;
+    light += sunlight_of(row);
+    highest_deg = std::max(highest_deg, elevation);
+    needed = needed || within;
+  }
+};
+
+bool knows_sunlight(const WeatherRow& row) {
+  return !std::isnan(row[WeatherQuantity::global_horizontal_w_m2]) ||
+         !std::isnan(row[WeatherQuantity::diffuse_horizontal_w_m2]);
+}
+
+/// The days that the rows see the sun well up on.
+std::map<long, DayOfSun> days_of_sun(const WeatherRecord& record,
+                                     const std::vector<WeatherRow>& rows, const SunHeights& sun,
+                                     const UtcSpan& needed) {
+  // Below that the thickest clouds may leave less than a file shows.
+  constexpr double well_up_deg = 10.0;
+  std::map<long, DayOfSun> days;
+  for (const WeatherRow& row : rows) {
+    const double time = row.utc_s - needed.to_s - 0.5 * record.radiation_mean_s;
+    const double elevation = elevation_deg(sun, time);
+    if (elevation < well_up_deg || !knows_sunlight(row)) continue;
+    const bool within = row.utc_s >= needed.from_s && row.utc_s <= needed.to_s;
+    days[sun.solar_day(time)].add(row, elevation, within);
+  }
+  return days;
 }
 
 }  // namespace
@@ -136,6 +195,10 @@ double SunHeights::hour_angle(double time_s) const noexcept {
   return turned_back(at(time_s).hour_angle_offset + turning_rad_s * time_s);
 }
 
+long SunHeights::solar_day(double time_s) const noexcept {
+  return std::lround((turning_rad_s * time_s - hour_angle(time_s)) / (2.0 * pi));
+}
+
 double SunHeights::cos_zenith(double time_s) const noexcept {
   const Equatorial sun = at(time_s);
   const double cosine = std::sqrt(std::max(0.0, 1.0 - sun.sin_declination * sun.sin_declination));
@@ -162,24 +225,17 @@ void check_place(const WeatherRecord& record, const ephemeris::Site& site,
   const WeatherStation& station = record.station;
   const std::string file = record.files.front().string();
   const std::string name = station.name.empty() ? "the station" : station.name;
-  if (station.latitude_deg && station.longitude_deg) {
-    const double far = distance_km(site, *station.latitude_deg, *station.longitude_deg);
-    if (*station.latitude_deg * site.latitude_deg < 0.0 && far > far_km) {
-      throw InputError{InputIssue{
-          {file, 1, 1},
-          fmt::format("{} lies at latitude {:g}, the scene at {:g}: on the other hemisphere", name,
-                      *station.latitude_deg, site.latitude_deg),
-          {},
-          {}}};
-    }
-    if (far > far_km) {
-      diagnostics.warn(
-          fmt::format("{}: warning: {} lies {:.0f} km from the scene", file, name, far));
-    }
+  if (!station.latitude_deg || !station.longitude_deg) {
+    diagnostics.warn(
+        fmt::format("{}: the weather does not say where it was measured ({}): whether "
+                    "it is of the scene's {} is not checked",
+                    file, station.latitude_deg ? "longitude_deg" : "latitude_deg",
+                    station.latitude_deg ? "place" : "place and hemisphere"));
   }
+  if (station.latitude_deg) check_distance(station, name, file, site, diagnostics);
   if (station.height_m && std::abs(*station.height_m - site.height_m) > high_m) {
-    diagnostics.warn(fmt::format("{}: warning: {} lies at {:.0f} m, the scene at {:.0f} m", file,
-                                 name, *station.height_m, site.height_m));
+    diagnostics.warn(fmt::format("{}: {} lies at {:.0f} m, the scene at {:.0f} m", file, name,
+                                 *station.height_m, site.height_m));
   }
 }
 
@@ -204,8 +260,30 @@ void check_sunlight_times(const WeatherRecord& record, const std::vector<Weather
                   std::abs(found.late_h()), found.late_h() > 0.0 ? "after" : "before",
                   shift_text(found.late_h()), zone_text(record));
   if (found.days.size() >= enough_days) throw InputError{row_issue(record, rows.front(), message)};
-  diagnostics.warn(fmt::format("{}:{}: warning: {}", record.files[rows.front().file].string(),
-                               rows.front().line, message));
+  warn_at_row(record, rows.front(), message, diagnostics);
+}
+
+void check_sunlight_is_there(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
+                             const SunHeights& sun, const UtcSpan& needed,
+                             Diagnostics& diagnostics) {
+  constexpr double enough_s = 3.0 * 3600.0;  // a day's rim alone says nothing
+  DayOfSun dark;
+  std::size_t count = 0;
+  for (const auto& [number, day] : days_of_sun(record, rows, sun, needed)) {
+    if (!day.needed || day.light > 0.0) continue;
+    if (day.last->utc_s - day.first->utc_s + record.radiation_mean_s < enough_s) continue;
+    if (count++ == 0) dark.first = day.first;
+    dark.last = day.last;
+    dark.highest_deg = std::max(dark.highest_deg, day.highest_deg);
+  }
+  if (count == 0) return;
+  const std::string message = fmt::format(
+      "no sunlight at all on {}, from {} to {}, while the sun stands up to {:.0f} "
+      "degrees high",
+      count == 1 ? std::string{"one day"} : fmt::format("{} days", count),
+      utc_text(dark.first->utc_s), utc_text(dark.last->utc_s), dark.highest_deg);
+  if (count > 1) throw InputError{row_issue(record, *dark.first, message)};
+  warn_at_row(record, *dark.first, message, diagnostics);
 }
 
 }  // namespace nadir::sim

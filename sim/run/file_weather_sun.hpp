@@ -6,6 +6,7 @@
 #include "ephemeris/instant.hpp"
 #include "ephemeris/site.hpp"
 #include "sim/files/weather_record.hpp"
+#include "sim/run/file_weather_rows.hpp"
 
 namespace nadir::sim {
 
@@ -21,6 +22,8 @@ class SunHeights {
   [[nodiscard]] double hour_angle(double time_s) const noexcept;
   /// Sine of the elevation, without refraction.
   [[nodiscard]] double cos_zenith(double time_s) const noexcept;
+  /// Days between midnights of the sun, counted from any.
+  [[nodiscard]] long solar_day(double time_s) const noexcept;
   /// Mean of the cosine where it is positive, over a span.
   [[nodiscard]] double mean_cos_zenith(double from_s, double to_s) const noexcept;
   /// Outside the air, on a plane normal to the sun, W m^-2: 1361 at 1 au (Kopp & Lean, Geophys.
@@ -40,7 +43,8 @@ class SunHeights {
 };
 
 /// Where the weather was measured against where the scene lies.
-/// @throws InputError for the other hemisphere; farther than 200 km or 500 m in height is told
+/// @throws InputError for the other hemisphere; farther than 200 km or 500 m in height is told, and
+///         that a file does not say its place
 void check_place(const WeatherRecord& record, const ephemeris::Site& site,
                  Diagnostics& diagnostics);
 
@@ -49,5 +53,12 @@ void check_place(const WeatherRecord& record, const ephemeris::Site& site,
 /// @throws InputError that says by how many hours the times look shifted
 void check_sunlight_times(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
                           const SunHeights& sun, double moment_utc_s, Diagnostics& diagnostics);
+
+/// Days within `needed` without any sunlight while the sun is well up for hours: no cloud is that
+/// thick.
+/// @throws InputError for two of them; one is told
+void check_sunlight_is_there(const WeatherRecord& record, const std::vector<WeatherRow>& rows,
+                             const SunHeights& sun, const UtcSpan& needed,
+                             Diagnostics& diagnostics);
 
 }  // namespace nadir::sim

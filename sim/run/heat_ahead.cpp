@@ -40,6 +40,8 @@ void solve_heat_ahead(const World& world, std::uint64_t seed) {
 
 ReportValues heat_report(const World& world) {
   if (!world.heat) return {};
+  constexpr std::size_t cells_for_error = 128;  // rms good to 6 %
+  const thermal::HeatError error = world.heat->error(cells_for_error);
   const thermal::HeatCounters counters = world.heat->counters();
   const auto& model = world.heat->model();
   const auto integer = [](auto value) { return static_cast<std::int64_t>(value); };
@@ -49,6 +51,10 @@ ReportValues heat_report(const World& world) {
           {"steps", integer(counters.steps)},
           {"longest_spin_up_days", integer(counters.longest_spin_up_days)},
           {"cells_not_repeating", integer(counters.not_repeating)},
+          {"cells_held", integer(counters.held)},
+          {"error_rms_k", error.rms_k},
+          {"error_largest_k", error.largest_k},
+          {"error_cells", integer(error.cells)},
           {"step_s", model.settings.step_s},
           {"history_s", model.settings.history_s},
           {"resolution_m", model.settings.resolution_m},

@@ -31,21 +31,28 @@ constexpr double deep_enough = 4.0;
 /// um hold half of the latter, the window of 8 to 14 um alone 0.38.
 constexpr double sunlight_enough = 0.8, long_wave_enough = 0.35;
 
-/// In ten days the sun's noon height changes by up to 4 degrees: a track of one day must not stand
-/// for more.
+/// In ten days the sun's noon height changes by up to 4 degrees, and layers have forgotten what
+/// stood on them: a track of one day must not stand for more, and what came or went before no
+/// longer shows.
 constexpr double days_alike = 10.0;
+
+/// From a day before objects first come or go, so that the days before that, which are those of
+/// the first 24 hours again, hold nothing that was not there.
+double since_changes_s(const Epochs& epochs) {
+  const double change_s = epochs.first_change_s(days_alike * day_s);
+  return change_s > 0.0 ? (std::ceil(change_s / day_s) + 1.0) * day_s : 0.0;
+}
 
 /// Where the sun stood at even steps up to the picture.
 thermal::SunTrack sun_track(const Scenario& scenario, double history_s, const Epochs& epochs) {
   thermal::SunTrack track;
   const HeatInput& heat = *scenario.heat;
-  const double history_days = history_s / day_s;
-  const double days =
-      history_days > days_alike ? std::max(heat.shadow_days, history_days) : heat.shadow_days;
+  const double own_s = history_s > days_alike * day_s ? history_s : day_s;
+  const double track_s = std::max({heat.shadow_days * day_s, own_s, since_changes_s(epochs)});
   const ephemeris::Site site{scenario.origin.latitude_deg, scenario.origin.longitude_deg,
                              scenario.origin.height_m};
   const double interval_s = heat.shadow_interval_s;
-  const auto count = static_cast<int>(std::llround(std::max(days, 1.0) * day_s / interval_s));
+  const auto count = static_cast<int>(std::llround(track_s / interval_s));
   std::optional<ephemeris::CelestialPole> pole;
   double pole_s = 0.0;
   for (int i = -count; i <= 0; ++i) {
@@ -77,7 +84,9 @@ class HeatMaterials {
             files.note(data_directory() / "library" / "illumination" / "sunlight_at_ground.csv"),
             "", SpectrumQuantity::irradiance, spectral::Outside::zero)} {}
 
-  [[nodiscard]] const BroadbandOptics& optics(std::size_t material) {
+  /// Variants of a material differ in their temperature alone.
+  [[nodiscard]] const BroadbandOptics& optics(std::size_t variant) {
+    const std::size_t material = scene_.materials[variant].shown_as.value_or(variant);
     const auto found = optics_.find(material);
     if (found != optics_.end()) return found->second;
     const auto made = thermal::broadband_optics(scene_.materials[material], sunlight_);
@@ -95,7 +104,7 @@ class HeatMaterials {
                           {"long-wave radiation", "emissivity", from_spectra.long_wave_covered,
                            long_wave_enough, material}),
                     input.convection, input.wind_factor, input.wetness};
-    at_element(input.where, [&] { thermal::check(made.layers); });
+    at_element(input.where, [&] { thermal::check(made, scenario_.heat->settings.grid); });
     return made;
   }
 
@@ -191,37 +200,51 @@ SurroundingSurface seen_of(const materials::MaterialMap& map,
   return mean;
 }
 
+double remembered_s(const std::vector<thermal::LayerStack>& stacks) {
+  constexpr double longest_days = 5.0;  // older weather changes temperatures by tenths of a kelvin
+  double longest_s = day_s;
+  for (const auto& stack : stacks) {
+    longest_s = std::max(longest_s, thermal::memory_of(stack).value);
+  }
+  return std::min(longest_days, std::ceil(longest_s / day_s)) * day_s;
+}
+
+/// How much weather counts where the scenario does not say.
+double history_for(const Scenario& scenario, const std::vector<thermal::LayerStack>& stacks,
+                   InputFiles& files, Diagnostics& diagnostics) {
+  const HeatInput& heat = *scenario.heat;
+  // The days of a clear sky are much alike: the first one, repeated, stands for those before it.
+  if (std::holds_alternative<ClearSkyInput>(heat.weather)) return day_s;
+  const double wanted_s = remembered_s(stacks);
+  const double days_there = std::floor(weather_reaches_back_s(scenario, files) / day_s);
+  if (days_there >= wanted_s / day_s) return wanted_s;
+  warn_at(heat.where,
+          fmt::format("the layers remember {:.0f} days, the weather file reaches back {:.0f}: the "
+                      "first 24 hours that it has stand for those before",
+                      wanted_s / day_s, days_there),
+          diagnostics);
+  return std::max(days_there, 1.0) * day_s;
+}
+
 }  // namespace
 
-HeatWeather load_heat_weather(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics,
+HeatWeather load_heat_weather(const Scenario& scenario, double least_s, InputFiles& files,
+                              Diagnostics& diagnostics,
                               const std::vector<thermal::LayerStack>& stacks) {
   const HeatInput& heat = *scenario.heat;
-  const auto load = [&](double history_s) {
-    return HeatWeather{load_weather(scenario, history_s, files, diagnostics), history_s};
-  };
-  if (heat.history_h) return load(*heat.history_h * 3600.0);
-  // The days of a clear sky are much alike: the first one, repeated, stands for those before it.
-  if (std::holds_alternative<ClearSkyInput>(heat.weather)) return load(day_s);
-  constexpr double longest_days = 5.0;
-  double remembered_s = day_s;
-  for (const auto& stack : stacks) {
-    remembered_s = std::max(remembered_s, thermal::memory_of(stack).value);
-  }
-  const double days = std::min(longest_days, std::ceil(remembered_s / day_s));
-  if (days > 1.0) {
-    try {
-      return load(days * day_s);
-    } catch (const InputError&) {
-      HeatWeather shorter = load(day_s);  // what else may be wrong with the file is told here
+  double history_s =
+      heat.history_h ? *heat.history_h * 3600.0 : history_for(scenario, stacks, files, diagnostics);
+  if (history_s < least_s) {
+    if (heat.history_h) {
       warn_at(heat.where,
-              fmt::format("the layers remember {:.0f} days, the weather file does not reach that "
-                          "far back: the first 24 hours that it has stand for them",
-                          days),
+              fmt::format("history_h is {:g}, but objects come or go in the days before the image: "
+                          "{:g} hours count",
+                          *heat.history_h, least_s / 3600.0),
               diagnostics);
-      return shorter;
     }
+    history_s = least_s;
   }
-  return load(day_s);
+  return {load_weather(scenario, history_s, files, diagnostics), history_s};
 }
 
 HeatModel load_heat_model(const Scenario& scenario, const HeatScene& scene,
@@ -251,7 +274,10 @@ HeatModel load_heat_model(const Scenario& scenario, const HeatScene& scene,
     });
   }
   HeatWeather weather;
-  errors.attempt([&] { weather = load_heat_weather(scenario, files, diagnostics, stacks); });
+  errors.attempt([&] {
+    weather =
+        load_heat_weather(scenario, since_changes_s(scene.epochs), files, diagnostics, stacks);
+  });
   errors.throw_if_any();
   for (const auto& map : scene.maps) {
     model.surroundings.push_back(seen_of(map, model.surroundings));

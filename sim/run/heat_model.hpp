@@ -20,8 +20,9 @@ struct HeatWeather {
   double history_s = 86400.0;
 };
 /// As far back as the scenario says, or else as the layers remember and the weather reaches.
-[[nodiscard]] HeatWeather load_heat_weather(const Scenario& scenario, InputFiles& files,
-                                            Diagnostics& diagnostics,
+/// @param least_s  how far back it must reach in any case
+[[nodiscard]] HeatWeather load_heat_weather(const Scenario& scenario, double least_s,
+                                            InputFiles& files, Diagnostics& diagnostics,
                                             const std::vector<thermal::LayerStack>& stacks = {});
 
 }  // namespace nadir::sim

@@ -22,19 +22,13 @@ std::string file_of(const ObjectInput& input) {
   return mesh != nullptr ? mesh->file.string() : input.name;
 }
 
-/// A material that takes its temperature from the vertices needs a mesh that gives them.
-void check_vertex_temperatures(const geometry::Surface& surface, const Scenario& scenario,
-                               const std::string& name) {
-  const auto* mesh = std::get_if<geometry::TriangleMesh>(&surface.form);
-  for (const std::uint32_t index : surface.part_materials) {
-    if (index >= scenario.materials.size()) continue;  // a map
-    const auto* wanted =
-        std::get_if<VertexTemperatureInput>(&scenario.materials[index].temperature);
-    // A shape has no vertices: it is as a mesh that gives nothing.
-    if (wanted != nullptr) {
-      check_vertex_temperature(mesh != nullptr ? *mesh : geometry::TriangleMesh{}, *wanted, name);
-    }
+/// kelvin of the hottest vertex.
+double hottest_of(const geometry::TriangleMesh& mesh, const VertexTemperatureInput& input) {
+  double hottest_k = 0.0;
+  for (const float value : mesh.vertex_values) {
+    hottest_k = std::max(hottest_k, input.gain * static_cast<double>(value) + input.offset_k);
   }
+  return hottest_k;
 }
 
 /// Gathers the scenario's geometry object by object; the terrain first, since others stand on it.
@@ -71,15 +65,33 @@ class GeometryReader {
     lamps_ = std::move(loaded.lamps);
   }
 
-  [[nodiscard]] LoadedGeometry finish() { return {builder_.build(), terrain_, std::move(lamps_)}; }
+  [[nodiscard]] LoadedGeometry finish() {
+    return {builder_.build(), terrain_, std::move(lamps_), std::move(hottest_vertex_k_)};
+  }
 
  private:
   [[nodiscard]] geometry::Surface surface_of(const ObjectInput& input,
                                              const PresenceInput& presence) {
     geometry::Surface surface = read_surface(input.form, *files_);
     surface.epochs = epochs_->of(presence);
-    check_vertex_temperatures(surface, *scenario_, file_of(input));
+    take_vertex_temperatures(surface, file_of(input));
     return surface;
+  }
+
+  /// A material that takes its temperature from the vertices needs a mesh that gives them.
+  void take_vertex_temperatures(const geometry::Surface& surface, const std::string& name) {
+    // A shape has no vertices: it is as a mesh that gives nothing.
+    const auto* form = std::get_if<geometry::TriangleMesh>(&surface.form);
+    const geometry::TriangleMesh& mesh = form != nullptr ? *form : no_mesh_;
+    for (const std::uint32_t index : surface.part_materials) {
+      if (index >= scenario_->materials.size()) continue;  // a map
+      const auto* wanted =
+          std::get_if<VertexTemperatureInput>(&scenario_->materials[index].temperature);
+      if (wanted == nullptr) continue;
+      check_vertex_temperature(mesh, *wanted, name);
+      double& hottest_k = hottest_vertex_k_[index];
+      hottest_k = std::max(hottest_k, hottest_of(mesh, *wanted));
+    }
   }
 
   [[nodiscard]] std::vector<Affine> read_list(const InstancesInput& input) {
@@ -118,6 +130,8 @@ class GeometryReader {
   geometry::SceneBuilder builder_;
   TerrainProbe terrain_;
   std::vector<radiometry::Lamp> lamps_;
+  std::map<std::uint32_t, double> hottest_vertex_k_;
+  geometry::TriangleMesh no_mesh_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "geometry/earth.hpp"
@@ -16,6 +18,8 @@ struct LoadedGeometry {
   geometry::Scene scene;
   TerrainProbe terrain;
   std::vector<radiometry::Lamp> lamps;  ///< area lamps are surfaces of the scene as well
+  /// By material that takes its temperature from vertices: the hottest that any mesh gives, K.
+  std::map<std::uint32_t, double> hottest_vertex_k{};
 };
 
 /// Reads the scenario's meshes, terrain, lists of instances and lamps and builds the scene from

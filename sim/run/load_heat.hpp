@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,10 +19,12 @@
 
 namespace nadir::sim {
 
-/// Whether any band sees what surfaces emit that are as warm as the sun makes them
-/// (radiometry/emission_rule.hpp).
+/// How warm what is solved may be expected to become: 400 K, or more where a scenario heats it
+/// itself.
+[[nodiscard]] Kelvin warmest_solved(const Scenario& scenario);
+/// Whether any band sees a surface of that temperature emit (radiometry/emission_rule.hpp).
 [[nodiscard]] bool sees_heat(const sensor::DetectorArray& array,
-                             const ephemeris::Illumination& bodies);
+                             const ephemeris::Illumination& bodies, Kelvin warmest);
 
 /// What temperatures are made from besides the scenario.
 struct HeatScene {
@@ -29,6 +33,7 @@ struct HeatScene {
   const std::vector<materials::MaterialMap>& maps;
   const Epochs& epochs;
   const geometry::LocalFrame& frame;
+  const std::map<std::uint32_t, double>& hottest_vertex_k;  ///< by material
 };
 
 struct LoadedTemperatures {
@@ -36,12 +41,13 @@ struct LoadedTemperatures {
   std::shared_ptr<const thermal::HeatSolver> solver;  ///< null where nothing is to be solved
 };
 
-/// The source of every material's temperature. Where nobody asks for temperatures those that cost
-/// anything are left out, and none of their files is opened.
-/// @param asked  whether some product needs temperatures
+/// The source of every material's temperature. Where nobody asks for temperatures nothing is solved
+/// and no weather read; what is stated, in rasters and tables too, is read: it may glow.
+/// @param asked  whether some product needs temperatures that are solved, or the air's
+/// @param seed   of the rays by which the heat balance looks about
 /// @throws InputError
 [[nodiscard]] LoadedTemperatures load_temperatures(const Scenario& scenario, const HeatScene& scene,
-                                                   bool asked, InputFiles& files,
-                                                   Diagnostics& diagnostics);
+                                                   bool asked, std::uint64_t seed,
+                                                   InputFiles& files, Diagnostics& diagnostics);
 
 }  // namespace nadir::sim

@@ -1,5 +1,6 @@
 #include "sim/run/load_weather.hpp"
 
+#include <limits>
 #include <variant>
 
 #include "sim/run/clear_sky_weather.hpp"
@@ -16,6 +17,14 @@ thermal::Weather load_weather(const Scenario& scenario, double history_s, InputF
   }
   return clear_sky_weather_of(scenario, std::get<ClearSkyInput>(heat.weather), history_s, files,
                               diagnostics);
+}
+
+double weather_reaches_back_s(const Scenario& scenario, InputFiles& files, double longest_s) {
+  const HeatInput heat = scenario.heat.value_or(HeatInput{});
+  if (const auto* file = std::get_if<WeatherFileInput>(&heat.weather)) {
+    return file_weather_reaches_back_s(scenario, *file, longest_s, files);
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace nadir::sim

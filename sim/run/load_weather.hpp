@@ -16,4 +16,14 @@ namespace nadir::sim {
 [[nodiscard]] thermal::Weather load_weather(const Scenario& scenario, double history_s,
                                             InputFiles& files, Diagnostics& diagnostics);
 
+/// How long before the scenario's moment its weather begins, or has its last hole that load_weather
+/// does not bridge: more than three hours without a row, or without a value that is needed. 0 where
+/// it does not reach the moment; infinity where it reaches all of `longest_s` back, as a clear sky
+/// and a whole typical year do. load_weather covers every history up to this (a second of slack is
+/// in it); what else is wrong with a file it tells itself.
+/// @param longest_s  so far back is looked: of SURFRAD's daily files, no more are read
+/// @throws InputError for a file that cannot be read
+[[nodiscard]] double weather_reaches_back_s(const Scenario& scenario, InputFiles& files,
+                                            double longest_s = 10.0 * 86400.0);
+
 }  // namespace nadir::sim

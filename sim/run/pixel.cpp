@@ -128,9 +128,11 @@ const ephemeris::LightSource* PixelRenderer::sun() const {
 void PixelRenderer::add_truth(const geometry::Hit& hit, TruthSums& truth) {
   ++truth.hits;
   truth.range_m += hit.distance;
-  if (const double kelvin = job_->scene->temperature.at(hit).value; std::isfinite(kelvin)) {
-    truth.temperature_k += kelvin;
-    ++truth.with_temperature;
+  const thermal::TemperatureField& temperature = job_->scene->temperature;
+  if (job_->solves_heat || !temperature.solved(hit.material)) {
+    const double kelvin = temperature.at(hit).value;
+    truth.temperature_k += std::isfinite(kelvin) ? kelvin : 0.0;
+    truth.with_temperature += std::isfinite(kelvin) ? 1 : 0;
   }
   const ephemeris::LightSource* body = sun();
   if (body == nullptr) return;

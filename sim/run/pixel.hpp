@@ -27,6 +27,7 @@ struct ArrayJob {
   const sensor::DetectorArray* array = nullptr;
   ArrayPlan plan;
   std::vector<radiometry::LitScene> blocks;  ///< the scene at each block of lanes
+  bool solves_heat = true;  ///< for its truth planes; false: where no product needs it
 };
 
 /// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and

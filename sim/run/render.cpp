@@ -65,6 +65,9 @@ RenderResult render(const radiometry::SceneDescription& scene, const Camera& cam
         cut_into_tiles(static_cast<int>(jobs.size()), array.samples, array.lines, tile_edge);
     tiles.insert(tiles.end(), cut.begin(), cut.end());
     jobs.push_back(prepare(scene, camera.pose, array, plan.arrays[jobs.size()], diagnostics));
+    if (options.asks_for_heat != nullptr) {
+      jobs.back().solves_heat = (*options.asks_for_heat)[jobs.size() - 1];
+    }
     result.images.push_back(blank_image(array, scene, options.truth));
   }
 

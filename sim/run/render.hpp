@@ -28,6 +28,8 @@ struct RenderOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called after each tile
   const CameraPlan* plan = nullptr;  ///< of the camera; null: for air that has no lanes of its own
   const RayBending* bending = nullptr;  ///< null: the camera's rays are straight
+  /// By array: whether temperatures are solved for its truth planes; null: for all.
+  const std::vector<bool>* asks_for_heat = nullptr;
 };
 
 struct RenderResult {

@@ -130,8 +130,8 @@ RunOutcome run_scenario(const RunOptions& options) {
   const Scenario scenario =
       clock.stage("read scenario", [&] { return read_scenario(options.scenario, diagnostics); });
   describe(scenario, options, report);
-  World world =
-      clock.stage("build scene", [&] { return load_world(scenario, inputs, diagnostics); });
+  World world = clock.stage(
+      "build scene", [&] { return load_world(scenario, inputs, diagnostics, options.seed); });
   check_spectra(world, scenario.sampling, diagnostics);
   check_memory(world.camera);
   check_view(world, diagnostics);
@@ -149,11 +149,14 @@ RunOutcome run_scenario(const RunOptions& options) {
   const RenderResult result = clock.stage("render", [&] {
     return render(world.scene, world.camera,
                   {scenario.sampling, options.seed, options.threads, scenario.products.truth,
-                   options.progress, &plan, bending ? &*bending : nullptr},
+                   options.progress, &plan, bending ? &*bending : nullptr, &world.asks_for_heat},
                   diagnostics);
   });
   report.counters = counters_of(result.counters);
-  report.heat = heat_report(world);
+  report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
+  if (world.heat) {
+    for (const std::string& caution : world.heat->cautions()) diagnostics.warn(caution);
+  }
   const auto products = clock.stage("write products", [&] {
     return write_products(result.images, context_of(scenario, diagnostics), options.output);
   });

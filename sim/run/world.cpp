@@ -25,8 +25,9 @@ namespace {
 std::vector<bool> arrays_asking(const Scenario& scenario, const Camera& camera,
                                 const ephemeris::Illumination& bodies) {
   std::vector<bool> asking;
+  const Kelvin warmest = warmest_solved(scenario);
   for (const sensor::DetectorArray& array : camera.arrays) {
-    asking.push_back(scenario.products.truth_temperature || sees_heat(array, bodies));
+    asking.push_back(scenario.products.truth_temperature || sees_heat(array, bodies, warmest));
   }
   return asking;
 }
@@ -66,7 +67,8 @@ void check_extent(const geometry::Scene& scene, Diagnostics& diagnostics) {
 
 }  // namespace
 
-World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics) {
+World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics,
+                 std::uint64_t seed) {
   files.note(scenario.file);
   for (const auto& library : scenario.libraries) files.note(library);
   const geometry::LocalFrame frame{scenario.origin};
@@ -119,8 +121,9 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   errors.attempt([&] {
     asking = arrays_asking(scenario, camera, illumination);
     const bool asked = std::find(asking.begin(), asking.end(), true) != asking.end();
-    temperatures = load_temperatures(scenario, {geometry->scene, materials, maps, *epochs, frame},
-                                     asked, files, diagnostics);
+    temperatures = load_temperatures(
+        scenario, {geometry->scene, materials, maps, *epochs, frame, geometry->hottest_vertex_k},
+        asked, seed, files, diagnostics);
   });
   errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,9 +28,10 @@ struct World {
   std::vector<bool> asks_for_heat{};  ///< by array: whether it needs the temperatures of surfaces
 };
 
+/// @param seed  of the rays by which the heat balance looks about
 /// @throws InputError with the mistakes of all files that the scenario names
 [[nodiscard]] World load_world(const Scenario& scenario, InputFiles& files,
-                               Diagnostics& diagnostics);
+                               Diagnostics& diagnostics, std::uint64_t seed = 1);
 
 /// The lanes that the camera's arrays need in this world's air; air in layers has them only once it
 /// is finished.

@@ -78,7 +78,9 @@ WeatherFileInput build_weather_file(const BuildContext& context, const CheckedEl
                                                      {"epw", WeatherFormat::epw},
                                                      {"surfrad", WeatherFormat::surfrad}};
   const std::map<std::string, SkyLongWave> skies{{"from_air", SkyLongWave::from_air},
+                                                 {"prata", SkyLongWave::prata},
                                                  {"brutsaert", SkyLongWave::brutsaert},
+                                                 {"idso", SkyLongWave::idso},
                                                  {"swinbank", SkyLongWave::swinbank}};
   WeatherFileInput file;
   file.file = element.value<std::filesystem::path>("file");
@@ -124,6 +126,7 @@ std::optional<HeatInput> build_heat(const BuildContext& context, const CheckedEl
   build_clock(context, *element, heat);
   heat.shadow_days = element->value<int>("shadow_days");
   heat.settings.resolution_m = element->number("resolution_m");
+  heat.settings.indirect_factor = element->number("indirect_factor");
   heat.settings.spin_up_k = element->number("spin_up_k");
   heat.settings.spin_up_days = element->value<int>("spin_up_days");
   heat.settings.grid.first_fraction = element->number("first_fraction");

@@ -36,8 +36,7 @@ std::vector<SourcePlace> sources_in(const CheckedElement& element) {
 }
 
 VertexTemperatureInput build_vertices(const BuildContext& context, const CheckedElement& element) {
-  const double celsius = element.value<std::string>("unit") == "C" ? si::zero_celsius : 0.0;
-  return {element.number("gain"), element.number("offset_k") + celsius,
+  return {element.number("gain"), element.number("offset_k"),
           context.source.locate(element.offset)};
 }
 

@@ -74,13 +74,13 @@ using TemperatureInput =
 enum class WeatherFormat { automatic, csv, tmy3, epw, surfrad };
 
 /// Long-wave radiation of the sky where the weather does not bring its own.
-enum class SkyLongWave { from_air, brutsaert, swinbank };
+enum class SkyLongWave { from_air, prata, brutsaert, idso, swinbank };
 
 struct WeatherFileInput {
   std::filesystem::path file;
   WeatherFormat format = WeatherFormat::automatic;
   std::optional<bool> any_year;  ///< the file's year does not count; none: true of TMY3 and EPW
-  SkyLongWave long_wave = SkyLongWave::brutsaert;
+  SkyLongWave long_wave = SkyLongWave::prata;
   SourceLocation where;
 };
 /// No file: sunlight from the ephemeris and the scenario's air, and a stated day of the air.

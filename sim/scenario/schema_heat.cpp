@@ -9,6 +9,8 @@ std::vector<Attribute> heat_settings() {
                 "Between the moments that are solved for; 24 h are a whole number of steps."),
       defaulted("resolution_m", above_to(0.0, 1e6), "m", "1",
                 "Facets are cut into cells no longer than this, each with a temperature."),
+      defaulted("indirect_factor", from_to(1.0, 1000.0), "", "8",
+                "By which cells are longer for rays between surfaces, which blur what they meet."),
       optional("history_h", from_to(24.0, 8784.0), "h", "from the layers' own time scales",
                "How much of the weather before the image counts, a whole number of steps; before "
                "it its first 24 hours repeat."),
@@ -46,11 +48,12 @@ ElementType weather_file_type() {
                         "auto", "auto: as the file looks."),
               optional("any_year", boolean(), "", "true for TMY3 and EPW, false for others",
                        "Only month, day and hour of the file's dates count."),
-              defaulted("long_wave", EnumerationType{{"brutsaert", "swinbank", "from_air"}}, "",
-                        "brutsaert",
-                        "Heat radiation of the sky where the file has none: from the air's "
-                        "temperature and humidity, from its temperature, or from the scenario's "
-                        "atmosphere.")}};
+              defaulted("long_wave",
+                        EnumerationType{{"prata", "brutsaert", "idso", "swinbank", "from_air"}}, "",
+                        "prata",
+                        "Heat radiation of the sky where the file has none: a published fit to the "
+                        "air's temperature and humidity (docs/heat-balance.md), or from the "
+                        "scenario's atmosphere.")}};
 }
 
 ElementType clear_sky_type() {

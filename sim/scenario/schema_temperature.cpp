@@ -52,12 +52,9 @@ std::vector<ElementType> given_temperatures() {
       {.id = "vertex_temperature",
        .name = "vertex_temperature",
        .doc = "What the vertices of a PLY mesh carry, linear within each triangle: property "
-              "temperature_k, temperature_c or temperature.",
-       .attributes = {gain_of_values(), offset_of_values(),
-                      defaulted("unit", EnumerationType{{"K", "C"}}, "", "K",
-                                "Of gain x value + offset_k. C is for a property temperature in "
-                                "degrees Celsius: temperature_c is turned into K when it is "
-                                "read.")}},
+              "temperature_k, temperature_c (turned into K) or temperature (in K, unless offset_k "
+              "says otherwise).",
+       .attributes = {gain_of_values(), offset_of_values()}},
       {.id = "air_temperature",
        .name = "air_temperature",
        .doc = "As warm as the air of <heat> at the moment of the image.",

@@ -87,10 +87,10 @@ TEST_CASE("where emission is lost in what is reflected no temperature is asked f
 // 1500 W m^-2 um^-1 times 1e-6 / pi is 4.8e-4; B(400 K) passes that between 1.46 and 1.47 um.
 TEST_CASE("what is seen to emit depends on the light", "[radiometry]") {
   const SpectralIrradiance sun{1500.0}, none{0.0};
-  CHECK_FALSE(emission_counts(warmest_under_the_sun, 1.4_um, sun));
-  CHECK(emission_counts(warmest_under_the_sun, 1.6_um, sun));
-  CHECK(emission_counts(warmest_under_the_sun, 0.95_um, none));
-  CHECK_FALSE(emission_counts(warmest_under_the_sun, 0.7_um, none));
+  CHECK_FALSE(emission_counts(thermal::warmest_under_the_sun, 1.4_um, sun));
+  CHECK(emission_counts(thermal::warmest_under_the_sun, 1.6_um, sun));
+  CHECK(emission_counts(thermal::warmest_under_the_sun, 0.95_um, none));
+  CHECK_FALSE(emission_counts(thermal::warmest_under_the_sun, 0.7_um, none));
   CHECK(faintest_emission(none) == Approx(1e-10).epsilon(1e-12));
 }
 

@@ -51,6 +51,16 @@ TEST_CASE("two objects' times cut the past into epochs of their own", "[sim][epo
   for (const double hours : {4.1, 9.0}) CHECK_FALSE(there(b, hours));
 }
 
+TEST_CASE("the first change counts within the days that are asked for", "[sim][epochs]") {
+  const PresenceInput car{utc("2026-06-20T10:00:00Z"), utc("2026-06-21T15:00:00Z")};
+  const PresenceInput barn{utc("2026-05-01T00:00:00Z"), std::nullopt};
+  const Epochs epochs{scene_with({car, barn})};
+  CHECK(epochs.first_change_s(10.0 * 86400.0) == Approx(30.0 * 3600.0).margin(1e-6));
+  CHECK(epochs.first_change_s(3600.5) == Approx(3600.0).margin(1e-6));
+  CHECK(epochs.first_change_s(60.0) == 0.0);
+  CHECK(Epochs{scene_with({{}})}.first_change_s(1e9) == 0.0);
+}
+
 TEST_CASE("what comes after the picture is in no epoch and cuts none", "[sim][epochs]") {
   const PresenceInput later{utc("2026-06-21T17:00:00Z"), std::nullopt};
   const PresenceInput leaves_later{std::nullopt, utc("2026-06-21T17:00:00Z")};

@@ -260,7 +260,7 @@ TEST_CASE("a weather file's format and sky may be left to the file", "[scenario]
       heat_of("<heat><weather_file file=\"weather.csv\"/></heat>").weather);
   CHECK(file.format == WeatherFormat::automatic);
   CHECK_FALSE(file.any_year);
-  CHECK(file.long_wave == SkyLongWave::brutsaert);
+  CHECK(file.long_wave == SkyLongWave::prata);
   CHECK(file.where.line == 8);
   const auto other = std::get<WeatherFileInput>(
       heat_of("<heat><weather_file file=\"weather.csv\" format=\"surfrad\" any_year=\"false\" "

@@ -173,8 +173,8 @@ TEST_CASE("what lies beneath the library's materials is made of substances that 
     ++with_layers;
     const HeatBalanceInput& below = *material.heat_balance;
     REQUIRE_FALSE(below.layers.empty());
-    // Spectra say how surfaces absorb and emit.
-    CHECK_FALSE(below.solar_absorptance);
+    // Spectra say how surfaces absorb and emit; but that of water is its surface's alone.
+    CHECK(below.solar_absorptance.has_value() == (material.name == "water"));
     CHECK_FALSE(below.emissivity);
     thermal::LayerStack stack{{}, below.back};
     for (const LayerInput& layer : below.layers) {

@@ -1,15 +1,11 @@
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "core/constants.hpp"
-#include "sim/message_of.hpp"
 #include "sim/run/file_weather.hpp"
 #include "sim/run/file_weather_derive.hpp"
-#include "sim/run/load_weather.hpp"
-#include "sim/scratch_folder.hpp"
-#include "sim/weather_support.hpp"
+#include "sim/weather_loading.hpp"
 #include "support/catch.hpp"
 #include "thermal/surface/humidity.hpp"
 #include "thermal/weather/sky_long_wave.hpp"
@@ -17,87 +13,15 @@
 namespace nadir::sim {
 namespace {
 
-const std::filesystem::path greensboro =
-    std::filesystem::path{NADIR_SOURCE_DIR} / "tests/sim/data/greensboro_two_days.csv";
-
-Scenario at_greensboro(const std::string& utc) {
-  Scenario scenario;
-  scenario.time = ephemeris::Instant::parse_utc(utc);
-  scenario.origin = {36.1, -79.95, 273.0};
-  scenario.heat = HeatInput{};
-  return scenario;
-}
-
-struct Loaded {
-  thermal::Weather weather;
-  std::vector<std::string> warnings;
-  std::set<std::filesystem::path> files;
-};
-Loaded load(Scenario scenario, const WeatherFileInput& input, double hours) {
-  Diagnostics diagnostics;
-  InputFiles files;
-  scenario.heat->weather = input;
-  Loaded loaded;
-  loaded.weather = load_weather(scenario, 3600.0 * hours, files, diagnostics);
-  loaded.warnings = diagnostics.messages();
-  loaded.files = files.all();
-  return loaded;
-}
-WeatherFileInput named(const std::filesystem::path& file) {
-  WeatherFileInput input;
-  input.file = file;
-  input.where = {"scene.xml", 3, 5};
-  return input;
-}
-
-/// Writes files of weather, and tells what is said of them.
-class Files {
- public:
-  std::filesystem::path write(const std::string& name, const std::string& text) {
-    std::ofstream{folder_ / name} << text;
-    return folder_ / name;
-  }
-  /// The message for a picture, without the folder's name.
-  [[nodiscard]] std::string message(const Scenario& scenario, const WeatherFileInput& input,
-                                    double hours) const {
-    return plain(support::message_of([&] { static_cast<void>(load(scenario, input, hours)); }));
-  }
-  [[nodiscard]] std::string plain(std::string text) const {
-    const std::string prefix = folder_.path().string() + "/";
-    for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
-      text.erase(at, prefix.size());
-    }
-    return text;
-  }
-  [[nodiscard]] std::string plain(const std::vector<std::string>& warnings) const {
-    std::string all;
-    for (const std::string& warning : warnings) all += warning + "\n";
-    return plain(all);
-  }
-
- private:
-  support::ScratchFolder folder_;
-};
-
-/// A CSV in UTC with the sun of longitude 0, every hour of two days from 2026-06-20 on.
-std::string hourly_csv(int shift_h = 0, int skip_from = 1000, int skip_to = 0,
-                       const std::string& place = "") {
-  std::string text = place +
-                     "utc,air_temperature_c,dew_point_c,wind_speed_m_s,direct_normal_w_m2,"
-                     "diffuse_horizontal_w_m2,sky_long_wave_w_m2\n";
-  for (int hour = 0; hour <= 48; ++hour) {
-    if (hour >= skip_from && hour <= skip_to) continue;
-    const double light = support::made_sunlight((hour + 24 - shift_h) % 24);
-    text += fmt::format("2026-06-{:02d}T{:02d}:00Z,{},10,2,{:g},{:g},300\n", 20 + hour / 24,
-                        hour % 24, hour, light, 0.2 * light);
-  }
-  return text;
-}
-Scenario at_zero(const std::string& utc = "2026-06-21T18:00:00Z") {
-  Scenario scenario = at_greensboro(utc);
-  scenario.origin = {45.0, 0.0, 0.0};
-  return scenario;
-}
+using support::at_greensboro;
+using support::at_zero;
+using support::Files;
+using support::greensboro;
+using support::hourly_csv;
+using support::load;
+using support::Loaded;
+using support::named;
+using support::place_lines;
 
 TEST_CASE("a typical year stands in for the year of the picture", "[sim][weather]") {
   const Loaded found = load(at_greensboro("2023-08-06T17:00:00Z"), named(greensboro), 24.0);
@@ -116,7 +40,7 @@ TEST_CASE("a typical year stands in for the year of the picture", "[sim][weather
   CHECK(vapour == Approx(21.8).epsilon(0.005));  // Smithsonian tables: 21.83 hPa at 18.9 C
   CHECK(now.sky_long_wave_w_m2 ==
         Approx(thermal::sky_long_wave_w_m2(
-                   {thermal::ClearSkyFormula::brutsaert, thermal::CloudFormula::unsworth_monteith},
+                   {thermal::ClearSkyFormula::prata, thermal::CloudFormula::unsworth_monteith},
                    {302.05, vapour, 0.5}))
             .epsilon(1e-12));
   // Half past nine lies within 10:00's hour (5.5 h before): direct 546 between 546 and 628 of its
@@ -160,7 +84,7 @@ TEST_CASE("a leap day that a typical year does not have is its 28th again", "[si
   const Loaded found = load(at_zero("2024-03-01T12:00:00Z"), named(file), 24.0);
   CHECK(found.weather.at(-24.0 * 3600.0).air_temperature_k == Approx(285.15).epsilon(1e-12));
   CHECK(files.plain(found.warnings) ==
-        "a.epw: warning: the weather has no 29 February: its 28th is taken again\n");
+        "a.epw: the weather has no 29 February: its 28th is taken again\n");
 }
 
 TEST_CASE("weather must cover the hours before the picture", "[sim][weather]") {
@@ -168,8 +92,8 @@ TEST_CASE("weather must cover the hours before the picture", "[sim][weather]") {
   const auto file = files.write("w.csv", hourly_csv());
   CHECK(files.message(at_zero(), named(file), 24.0) == "(nothing thrown)");
   CHECK(files.message(at_zero("2025-06-21T18:00:00Z"), named(file), 24.0) ==
-        "w.csv: error: the weather does not cover the hours before the picture: needed are "
-        "2025-06-20T18:00Z to 2025-06-21T18:00Z, the file has 2026-06-20T00:00Z to "
+        "scene.xml:3:5: error: the weather of w.csv does not cover the hours before the picture: "
+        "needed are 2025-06-20T18:00Z to 2025-06-21T18:00Z, the file has 2026-06-20T00:00Z to "
         "2026-06-22T00:00Z\n");
   CHECK(files.message(at_zero(), named(file), 48.0).find("needed are 2026-06-19T18:00Z") !=
         std::string::npos);
@@ -188,11 +112,11 @@ TEST_CASE("gaps of weather are bridged up to three hours and told", "[sim][weath
   Files files;
   const auto small = files.write("small.csv", hourly_csv(0, 30, 31));
   CHECK(files.plain(load(at_zero(), named(small), 24.0).warnings) ==
-        "small.csv:32: warning: a gap in the weather is bridged: nothing for 3.0 h after line 31, "
+        "small.csv:34: a gap in the weather is bridged: nothing for 3.0 h after line 33, "
         "from 2026-06-21T05:00Z to 2026-06-21T08:00Z\n");
   const auto large = files.write("large.csv", hourly_csv(0, 30, 33));
   CHECK(files.message(at_zero(), named(large), 24.0) ==
-        "large.csv:32:1: error: a gap in the weather: nothing for 5.0 h after line 31, from "
+        "large.csv:34:1: error: a gap in the weather: nothing for 5.0 h after line 33, from "
         "2026-06-21T05:00Z to 2026-06-21T10:00Z; at most 3 h are bridged\n");
   // A gap before the hours that are needed is none.
   CHECK(files.message(at_zero(), named(large), 8.0) == "(nothing thrown)");
@@ -204,17 +128,17 @@ TEST_CASE("missing values are bridged or located", "[sim][weather]") {
     std::string text = hourly_csv();
     for (int hour = from; hour <= to; ++hour) {
       const std::string start =
-          fmt::format("2026-06-{:02d}T{:02d}:00Z,{},10,", 20 + hour / 24, hour % 24, hour);
+          fmt::format("2026-06-{:02d}T{:02d}:00Z,{},-1,", 20 + hour / 24, hour % 24, hour);
       text.erase(text.find(start) + start.size(), 1);
     }
     return files.write("wind.csv", text);
   };
   const Loaded bridged = load(at_zero(), named(without_wind(30, 31)), 24.0);
   CHECK(files.plain(bridged.warnings) ==
-        "wind.csv:32: warning: wind speed is missing here and in 1 more rows and bridged\n");
+        "wind.csv:34: wind speed is missing here and in 1 more rows and bridged\n");
   CHECK(bridged.weather.at(-11.5 * 3600.0).wind_speed_m_s == Approx(2.0).epsilon(1e-12));
   CHECK(files.message(at_zero(), named(without_wind(30, 33)), 24.0) ==
-        "wind.csv:32:1: error: wind speed is missing for 5.0 h, in lines 32 to 35 "
+        "wind.csv:34:1: error: wind speed is missing for 5.0 h, in lines 34 to 37 "
         "(2026-06-21T06:00Z to 2026-06-21T09:00Z); at most 3 h are bridged\n");
   CHECK(files.message(at_zero(), named(without_wind(0, 48)), 24.0) ==
         "wind.csv: error: the weather has no wind speed: expected wind speed\n");
@@ -231,8 +155,8 @@ TEST_CASE("weather of another place is refused or told", "[sim][weather]") {
         "w.csv:1:1: error: Roof lies at latitude -45, the scene at 45: on the other hemisphere\n");
   const auto far = files.write("w.csv", hourly_csv(0, 1000, 0, place("48", "0", "900")));
   CHECK(files.plain(load(at_zero(), named(far), 24.0).warnings) ==
-        "w.csv: warning: Roof lies 334 km from the scene\n"  // 3 degrees of 111.2 km
-        "w.csv: warning: Roof lies at 900 m, the scene at 0 m\n");
+        "w.csv: Roof lies 334 km from the scene\n"  // 3 degrees of 111.2 km
+        "w.csv: Roof lies at 900 m, the scene at 0 m\n");
   const auto near = files.write("w.csv", hourly_csv(0, 1000, 0, place("46", "0", "400")));
   CHECK(load(at_zero(), named(near), 24.0).warnings.empty());
 }
@@ -241,7 +165,7 @@ TEST_CASE("sunlight at night gives a wrong time zone away", "[sim][weather]") {
   Files files;
   const auto early = files.write("w.csv", hourly_csv(-5));
   CHECK(files.message(at_zero(), named(early), 24.0) ==
-        "w.csv:5:1: error: sunlight of 480 W/m2 at 2026-06-20T03:00Z while the sun stands 10 "
+        "w.csv:7:1: error: sunlight of 480 W/m2 at 2026-06-20T03:00Z while the sun stands 10 "
         "degrees below the horizon of the scene: the times look 5 h early; the file's times are "
         "taken as UTC\n");
   const auto late = files.write("w.csv", hourly_csv(6));
@@ -250,8 +174,9 @@ TEST_CASE("sunlight at night gives a wrong time zone away", "[sim][weather]") {
   // Where there is no night, the middle of the light tells.
   Scenario polar = at_zero();
   polar.origin = {75.0, 0.0, 0.0};
-  CHECK(files.plain(load(polar, named(late), 24.0).warnings) ==
-        "w.csv:2: warning: the centre of the sunlight lies 6.0 h after noon at the scene: the "
+  const auto there = files.write("w.csv", hourly_csv(6, 1000, 0, place_lines("75")));
+  CHECK(files.plain(load(polar, named(there), 24.0).warnings) ==
+        "w.csv:4: the centre of the sunlight lies 6.0 h after noon at the scene: the "
         "times look 6 h late; the file's times are taken as UTC\n");
 }
 
@@ -301,7 +226,8 @@ TEST_CASE("sunlight is made direct and diffuse from what there is", "[sim][weath
 TEST_CASE("the sky's long-wave radiation is made where the file has none", "[sim][weather]") {
   Files files;
   const auto sky = [&](const std::string& cloud, SkyLongWave choice, std::string& told) {
-    std::string text = "utc,air_temperature_k,dew_point_c,wind_speed_m_s,global_horizontal_w_m2" +
+    std::string text = place_lines("45") +
+                       "utc,air_temperature_k,dew_point_c,wind_speed_m_s,global_horizontal_w_m2" +
                        std::string{cloud.empty() ? "" : ",cloud_fraction"} + "\n";
     for (int hour = 9; hour <= 15; ++hour) {
       text += fmt::format("2026-06-21T{:02d}:00Z,290,10,2,500{}\n", hour, cloud);
@@ -316,7 +242,7 @@ TEST_CASE("the sky's long-wave radiation is made where the file has none", "[sim
   // Swinbank's 5.31e-13 T^6 at 290 K: 315.85 W/m2.
   CHECK(sky("", SkyLongWave::swinbank, told) == Approx(315.85).epsilon(1e-4));
   CHECK(told ==
-        "w.csv: warning: 7 of 7 rows have neither long-wave radiation of the sky nor clouds: the "
+        "w.csv: 7 of 7 rows have neither long-wave radiation of the sky nor clouds: the "
         "sky is taken for clear\n");
   // An overcast sky: 0.84 + 0.16 of the clear one's; black at 290 K: 401.06 W/m2.
   CHECK(sky(",1", SkyLongWave::swinbank, told) ==
@@ -379,11 +305,15 @@ TEST_CASE("days of SURFRAD are read from the files beside the one that is named"
   CHECK(found.weather.at(-3600.0).sky_long_wave_w_m2 == Approx(380.5).epsilon(1e-12));
   // Three-minute rows are joined into the steps of the heat balance.
   CHECK(found.weather.air_temperature_k.time_s.size() < 200);
+  // From midnight of the first day, and the three minutes before that; a second is slack.
+  constexpr double more_h = 181.0 / 3600.0;
+  CHECK(support::reach_h(scenario, named(named_one)) == Approx(44.0 + more_h).margin(1e-6));
   std::filesystem::remove(first);
+  CHECK(support::reach_h(scenario, named(named_one)) == Approx(20.0 + more_h).margin(1e-6));
   CHECK(files.message(scenario, named(named_one), 24.0) ==
-        "bon10172.dat: error: the weather does not cover the hours before the picture: needed are "
-        "2010-06-20T20:00Z to 2010-06-21T20:00Z, the file has 2010-06-21T00:00Z to "
-        "2010-06-21T23:57Z\n");
+        "scene.xml:3:5: error: the weather of bon10172.dat does not cover the hours before the "
+        "picture: needed are 2010-06-20T20:00Z to 2010-06-21T20:00Z, the file has "
+        "2010-06-21T00:00Z to 2010-06-21T23:57Z\n");
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ inline std::string epw_header(
 inline std::string epw_row(const EpwDay& day, int hour, const std::string& dry = "25.0",
                            const std::string& infrared = "350") {
   const double light = made_sunlight(hour - 0.5);
+  const char* dew = std::stod(dry) < 15.0 ? dry.c_str() : "15.0";
   return fmt::format(
-      "{},{},{},{},60,?9?9?9?9E0,{},15.0,54,98000,0,0,{},{:g},{:g},{:g},0,0,0,0,200,3.1,5,4,"
+      "{},{},{},{},60,?9?9?9?9E0,{},{},54,98000,0,0,{},{:g},{:g},{:g},0,0,0,0,200,3.1,5,4,"
       "20.0,77777,9,999999999,20,0.1,0,88,0.2,0.0,1.0\n",
-      day.year, day.month, day.day, hour, dry, infrared, light, 0.5 * light, 0.4 * light);
+      day.year, day.month, day.day, hour, dry, dew, infrared, light, 0.5 * light, 0.4 * light);
 }
 
 inline std::string surfrad_header() { return " Bondville\n   40.05  -88.37  213 m  version 1\n"; }

@@ -48,7 +48,7 @@ TEST_CASE("stacks that make no sense are refused by name", "[thermal][conduction
              Catch::Matchers::Contains("the density of layer 1"));
   CHECK_THAT(refusal({{{{1.0, 1.0, 1.0 / 0.0}, 0.1, 0.0}}, AdiabaticBack{}}),
              Catch::Matchers::Contains("the specific heat of layer 1"));
-  CHECK_THAT(refusal({{{asphalt, 0.1, -5.0}}, AdiabaticBack{}}),
+  CHECK_THAT(refusal({{{asphalt, 0.1, nan}}, AdiabaticBack{}}),
              Catch::Matchers::Contains("heat released of layer 1"));
   CHECK_THAT(refusal({{{asphalt, 0.1, 0.0}}, FixedBack{Kelvin{2.0}}}),
              Catch::Matchers::Contains("temperature of the back"));
@@ -59,6 +59,7 @@ TEST_CASE("stacks that make no sense are refused by name", "[thermal][conduction
   CHECK_THAT(refusal({{{asphalt, 0.1, 0.0}}, RoomBack{std::nullopt, nan, 8.3}}),
              Catch::Matchers::Contains("offset of the room"));
   CHECK(refusal({{{asphalt, 0.1, 20.0}}, RoomBack{std::nullopt, -3.0, 8.3}}).empty());
+  CHECK(refusal({{{asphalt, 0.1, -300.0}}, AdiabaticBack{}}).empty());  // cooled by pipes
 }
 
 TEST_CASE("only sheets of one temperature may have weather on both sides",

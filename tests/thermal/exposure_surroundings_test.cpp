@@ -206,7 +206,8 @@ TEST_CASE("where little is about nothing is followed") {
   // A tower of 2 by 8 m at 30 m takes up about 0.002.
   CHECK(view_factor_of(seen.seen[0], 2) < 0.02);
   CHECK(view_factor_of(seen.seen[0], 2) > 0.0);
-  CHECK(seen.rays <= 361 + 1024);
+  // One ray a moment, 7 more in the last 6 and where the tower's shadow comes or goes.
+  CHECK(seen.rays <= 361 + 12 * 7 + 1024);
 }
 
 TEST_CASE("patches stand for what they were drawn from: half of the ground about is in the shade") {

@@ -1,9 +1,11 @@
 // What a model of the heat balance must not be.
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 #include "support/catch.hpp"
 #include "thermal/heat_scene.hpp"
@@ -92,6 +94,69 @@ TEST_CASE("materials and surroundings are checked by name", "[thermal][heat_solv
   CHECK(refusal([](HeatModel& m) { m.ground_about.temperature = OfItsHeatBalance{}; }) ==
         "the ground about the scene cannot have a heat balance, expected a temperature or an "
         "offset to the air");
+}
+
+TEST_CASE("a material alone is checked without its number, grid included",
+          "[thermal][heat_solver]") {
+  const auto refused = [](HeatMaterial material, const GridSettings& grid) -> std::string {
+    try {
+      check(material, grid);
+    } catch (const InputError& error) {
+      return error.issues().front().message;
+    }
+    return "accepted";
+  };
+  HeatMaterial material = soil();
+  CHECK(refused(material, {}) == "accepted");
+  CHECK(refused(material, {0.001, 1.0, 1}).rfind("the layers would have more than 128 nodes", 0) ==
+        0);
+  material.surface.wetness = 2.0;
+  CHECK(refused(material, {}) == "wetness is 2, expected 0 to 1");
+  material.surface = {0.9, 0.0, FixedFilm{0.0}, 1.0, 0.0};
+  CHECK(refused(material, {}).rfind("nothing takes heat away", 0) == 0);
+  material.surface.convection = FixedFilm{-1.0};
+  CHECK(refused(material, {}) == "film of air in W m^-2 K^-1 is -1, expected 0 to 1e+06");
+  // Many thin layers: a hundred and thirty joints
+  material = soil();
+  material.layers.layers.assign(130, {{0.8, 1600.0, 1000.0}, 0.001, 0.0});
+  CHECK(refused(material, {}).rfind("the layers would have more than 128 nodes", 0) == 0);
+  CHECK(refusal([&](HeatModel& m) {
+          m.materials[1] = material;
+        }).rfind("material 1: the layers would have more than 128 nodes", 0) == 0);
+}
+
+TEST_CASE("a surface is no warmer than sun, sources and what is behind it allow",
+          "[thermal][heat_solver]") {
+  // Closed forms, rounding only; 400 K is what the sun may do.
+  HeatMaterial material = soil();
+  CHECK(warmest_of(material).value == Approx(400.0).epsilon(1e-14));
+  material.layers.back = FixedBack{350.0_K};
+  CHECK(warmest_of(material).value == Approx(400.0).epsilon(1e-14));
+  material.layers.back = FixedBack{900.0_K};
+  CHECK(warmest_of(material).value == 900.0);
+  material.layers.back = RoomBack{1200.0_K, 0.0, 8.3};
+  CHECK(warmest_of(material).value == 1200.0);
+  material.layers.back = RoomBack{{}, 100.0, 8.3};  // of the warmest air there may be: 350 K
+  CHECK(warmest_of(material).value == 450.0);
+
+  material = soil();
+  material.layers.layers.assign(2, {{0.8, 1600.0, 1000.0}, 0.1, 2500.0});
+  material.layers.layers.push_back({{0.8, 1600.0, 1000.0}, 0.1, -500.0});  // helps nobody above
+  material.surface.emissivity = 0.8;
+  CHECK(warmest_of(material).value ==
+        Approx(std::pow(std::pow(400.0, 4) + 5000.0 / (0.8 * si::stefan_boltzmann), 0.25))
+            .epsilon(1e-13));
+  material.layers.layers[0].heat_w_m2 = 1e6;
+  CHECK(warmest_of(material).value == 2000.0);
+  material.layers.layers[0].heat_w_m2 = 1.0;
+  material.surface.emissivity = 0.0;  // sheds it by the air alone
+  CHECK(warmest_of(material).value == 2000.0);
+
+  material = soil();  // bright metal, with nothing but its own radiation to cool it
+  material.surface = {0.4, 0.1, FixedFilm{0.0}, 1.0, 0.0};
+  CHECK(warmest_of(material).value == Approx(400.0 * std::sqrt(2.0)).epsilon(1e-13));
+  material.surface.convection = FixedFilm{10.0};
+  CHECK(warmest_of(material).value == Approx(400.0).epsilon(1e-14));
 }
 
 TEST_CASE("places between moments: whole days later before the first, the last at the end",

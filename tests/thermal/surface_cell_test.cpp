@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "core/transform.hpp"
 #include "geometry/scene_builder.hpp"
 #include "support/catch.hpp"
 
@@ -30,6 +31,54 @@ geometry::Scene ground_triangle() {
   geometry::SceneBuilder builder;
   builder.add({mesh, {3}}, {}, 0);
   return builder.build();
+}
+
+constexpr std::uint32_t even = 1, uneven = 2;
+
+/// Of each kind one, at the scene's corner and as instances that are turned, mirrored, stretched.
+geometry::Scene all_kinds() {
+  geometry::TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {8, 0, 1}, {1, 6, 0}, {2, 2, 5}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
+  const std::vector<geometry::Surface> kinds{
+      {mesh, {even}},
+      {geometry::Plane{{1, 2, 3}, 4.0, 9.0}, {even}},
+      {geometry::Box{{-1, -2, 0}, {1, 3, 4}}, {even}},
+      {geometry::Sphere{{3, 1, 1}, 2.0}, {uneven}},
+      {geometry::Disc{{3, 1, 1}, {0.1, 0.2, 1.0}, 2.0}, {uneven}},
+      {geometry::Cylinder{{1, 0, 0}, {1, 1, 4}, 0.5, true}, {uneven}},
+      {geometry::Cylinder{{1, 0, 0}, {1, 0, 100}, 1e-4}, {uneven}}};
+  const Affine turned{rotation({1, 2, 3}, 0.7), {2000, 1500, 30}};
+  Affine mirrored = turned;
+  mirrored.linear.x = -1.7 * mirrored.linear.x;
+  mirrored.origin = {1990, 1510, 30};
+  geometry::SceneBuilder builder;
+  for (const geometry::Surface& kind : kinds) builder.add(kind, {{}, {2010, 1490, 20}}, 0);
+  builder.add_instances(kinds, {turned, mirrored}, 1);
+  return builder.build();
+}
+
+void check_places(const SurfaceCell& cell) {
+  CellPlaces places{cell};
+  CHECK(places.flat() == (cell.place({0.3, 0.3}).material == even));
+  double largest = 0.0;
+  for (const Vec2 u : {Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 0}, Vec2{1, 1}}) {
+    largest = std::max(largest, cell.place(u).lift);
+  }
+  std::vector<Vec2> all = corner_cases();
+  for (const double near : {1e-7, 6e-6, 1e-5, 4e-3}) all.push_back({near, 0.4});
+  for (const Vec2 u : all) {
+    const geometry::Hit expected = cell.place(u), found = places.at(u);
+    CAPTURE(u.x, u.y);
+    // Coordinates of 4 km and their sums are rounded to 1e-12 m at the most.
+    CHECK(length(found.position - expected.position) < 4e-12);
+    CHECK(length(found.normal - expected.normal) < 1e-12);
+    CHECK(length(found.inset - expected.inset) < 1e-12);
+    CHECK(found.facet == expected.facet);
+    CHECK(found.back_face == expected.back_face);
+    CHECK(found.lift >= expected.lift);
+    CHECK(found.lift <= (places.flat() ? largest : expected.lift));
+  }
 }
 
 }  // namespace
@@ -140,6 +189,22 @@ TEST_CASE("a cell's places are hits on its own side of its own piece") {
       REQUIRE(met);
       CHECK(met->facet == 0);
       CHECK(grid.cell_at(met->uv) == cell);
+    }
+  }
+}
+
+TEST_CASE("places found from a cell's corners are those that the scene gives") {
+  const geometry::Scene scene = all_kinds();
+  Rng rng{8};
+  for (std::uint64_t facet = 0; facet < scene.facets(); ++facet) {
+    const bool triangle = scene.facet_size(facet).triangle;
+    for (const std::uint32_t count : {1U, 7U, 4096U}) {
+      const CellGrid grid{count, triangle ? count : count / 3 + 1, triangle};
+      const auto some = static_cast<std::uint32_t>(rng.next() * grid.cells());
+      for (const std::uint32_t number : {0U, some}) {
+        CAPTURE(facet, count, number);
+        check_places({&scene, facet, facet % 2 == 1, grid, number});
+      }
     }
   }
 }

@@ -14,6 +14,7 @@ namespace nadir::thermal {
 struct StepFlux {
   double surface_w_m2 = 0.0;  ///< mean into the surface during the step, as the scheme weighs it
   double back_w_m2 = 0.0;     ///< mean into the column through its back
+  bool within_range = true;   ///< all nodes are, after it
 };
 
 /// Heat in a column of layers, one step of fixed length after the other: -k dT/dz = q(T, t) at the
@@ -25,7 +26,7 @@ struct StepFlux {
 /// matrix is eliminated from the back upwards, which leaves one equation for the surface's
 /// temperature, solved by a guarded Newton iteration. Where the second-order result leaves
 /// [2.7, 2000] K the step is repeated as two of backward Euler, to gamma and on to 1, which obey
-/// the maximum principle.
+/// the maximum principle; what heat released or taken out within does beyond it is told.
 class Column {
  public:
   /// @throws InputError for a step that is not positive, whatever make_grid refuses
@@ -118,7 +119,9 @@ StepFlux Column::advance(std::span<double> temperature_k, const Flux& flux,
       rest_, first.data(), room_1,
       [&a](const SurfaceDemand& demand) { return a.root.guess(a.demand, demand); }, flux_1, second);
   keep(second, temperature_k);
-  return mean(a.flux, c.flux, 1.0 - gamma);
+  StepFlux flux_of_both = mean(a.flux, c.flux, 1.0 - gamma);
+  flux_of_both.within_range = within_range(second);
+  return flux_of_both;
 }
 
 }  // namespace nadir::thermal

@@ -30,8 +30,8 @@ void check_layer(const Layer& layer, std::size_t number) {
   check_positive(layer.substance.density_kg_m3, "the density" + of);
   check_positive(layer.substance.specific_heat_j_kg_k, "the specific heat" + of);
   check_positive(layer.thickness_m, "the thickness" + of);
-  if (!(std::isfinite(layer.heat_w_m2) && layer.heat_w_m2 >= 0.0)) {
-    throw InputError("the heat released" + of + " must be finite and not negative");
+  if (!std::isfinite(layer.heat_w_m2)) {
+    throw InputError("the heat released" + of + " must be finite");
   }
 }
 

@@ -25,7 +25,8 @@ struct Substance {
 struct Layer {
   Substance substance;
   double thickness_m = 0.1;
-  double heat_w_m2 = 0.0;  ///< released evenly within the layer, per area of surface
+  double heat_w_m2 = 0.0;  ///< released evenly within the layer, per area of surface; below 0:
+                           ///< taken out, as by the pipes of a rink
 };
 
 /// Nothing passes.
@@ -51,9 +52,9 @@ struct LayerStack {
 };
 
 /// @throws InputError for no layer; for sizes and figures that are not positive and finite, heat
-///         released that is negative, temperatures of the back outside [2.7, 2000] K; for an open
-///         back of a stack too thick to have one temperature: Biot number of half its thickness
-///         above 0.1 at 25 W/m2/K
+///         that is not finite, temperatures of the back outside [2.7, 2000] K; for an open back of
+///         a stack too thick to have one temperature: Biot number of half its thickness above 0.1
+///         at 25 W/m2/K
 void check(const LayerStack& stack);
 
 /// Depth at which a periodic wave has fallen to 1/e: sqrt(2 k / (rho c omega)).

@@ -23,6 +23,13 @@ struct ExposureSettings {
   int sky_rays = 64;     ///< over the hemisphere, by cosine
   int surroundings = 8;  ///< of the surfaces met, followed through the day; 0: never in the sun
   double surroundings_interval_s = 3600.0;
+  /// To the sun at moments when a shadow's edge may lie on the cell, and at the last ones. One ray
+  /// there is off by 0.4 of the sun, 8 by 0.1: 0.82 and 0.46 K of the temperature after a day among
+  /// houses, 16 would have 0.45. 1: no more than at other moments.
+  int edge_rays = 8;
+  /// Of the track, the picture's included. What the surface has left of the sun's heat falls as the
+  /// root of time: with 2 of 10 minutes 0.50 K, with 6 0.46, with 10 0.45. 0: none.
+  int last_moments = 6;
 };
 
 /// A surface about a place: what of it is seen, and its sun.
@@ -43,6 +50,9 @@ struct SurroundingsSeen {
   std::vector<SurroundingPatch> patches;
 };
 
+/// What a ray towards the sun has met, if there was one.
+enum class SunRay : std::uint8_t { none, hidden, lit };
+
 /// Memory of expose() that its next call uses again.
 struct ExposureScratch {
   struct Run {  ///< of `order`, of one material
@@ -53,6 +63,7 @@ struct ExposureScratch {
   std::vector<std::uint32_t> facing;  ///< of each: axis that its normal is nearest to
   std::vector<double> bearing;        ///< of each, as seen from where its ray left
   std::vector<std::uint32_t> order;   ///< of met
+  std::vector<SunRay> sun_rays;       ///< the first of each moment
   std::vector<Run> runs;
   std::vector<Vec3> patch_direction;  ///< to the sun at the moments of the patches
   std::vector<std::uint32_t> patch_epoch;
@@ -73,7 +84,8 @@ struct Exposure {
 /// that all are means over the cell. Deterministic: depends on cell, seed and settings alone.
 ///
 /// - One ray a moment looks for the sun, at a point of its disc, while the disc's centre stands
-///   above the horizon and the place's own plane; the cosine is that of the centre.
+///   above the horizon and the place's own plane; the cosine is that of the centre. Where the
+///   moments before and after differ, and at the last ones, it is the mean of `edge_rays`.
 /// - For each epoch `sky_rays` rays by cosine. What meets nothing is sky above the horizon and
 ///   `ground_about` below, which is level and open.
 /// - What is met becomes patches: the materials' shares are exact counts of rays; each material's

@@ -1,6 +1,7 @@
 #include "thermal/exposure/surface_cell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -27,6 +28,12 @@ std::uint32_t piece_at(double x, std::uint32_t pieces) {
 
 double off_edges(double u) { return edge_share + (1.0 - 3.0 * edge_share) * u; }
 
+/// A triangle is half of [0, 1)^2: the other half is turned onto it.
+Vec2 folded(Vec2 u) {
+  if (u.x + u.y > 1.0) return {1.0 - u.x, 1.0 - u.y};
+  return u;
+}
+
 /// Row j of the barycentric grid has 2 (n - j) - 1 pieces, so that rows before it have j (2 n - j).
 std::uint32_t before_row(std::uint32_t j, std::uint32_t n) { return j * (2 * n - j); }
 
@@ -42,7 +49,7 @@ Vec2 triangle_place(std::uint32_t cell, std::uint32_t n, Vec2 u) {
   const double left = std::ceil(std::sqrt(static_cast<double>(n * n - cell)));
   const std::uint32_t j = n - static_cast<std::uint32_t>(left);
   const std::uint32_t in_row = cell - before_row(j, n), i = in_row / 2;
-  if (u.x + u.y > 1.0) u = {1.0 - u.x, 1.0 - u.y};
+  u = folded(u);
   double x = off_edges(u.x), y = off_edges(u.y);
   if (in_row % 2 == 1) {
     x = 1.0 - x;
@@ -50,6 +57,16 @@ Vec2 triangle_place(std::uint32_t cell, std::uint32_t n, Vec2 u) {
   }
   return {(i + x) / n, (j + y) / n};
 }
+
+/// Hits this near to a triangle's edge, in its parameters, may be moved inwards (Hit::inset).
+/// Twice what the scene calls an edge.
+constexpr double near_edge = 2e-6;
+
+/// Curved or turning parameters leave the flat by more at these places, however small the piece: it
+/// is 1/4096 of a turn at least, which turns a normal by 5e-4 and bends a disc's ring by 2e-7 of
+/// its length. Rounding is 1e-16 of the scene.
+constexpr std::array<Vec2, 2> inside_places{Vec2{0.3, 0.7}, Vec2{0.6, 0.2}};
+constexpr double flat_to = 1e-9;
 
 }  // namespace
 
@@ -72,6 +89,41 @@ CellGrid cut(const geometry::FacetSize& size, double resolution_m) noexcept {
 
 geometry::Hit SurfaceCell::place(Vec2 u) const {
   return scene->on_facet(facet, grid.place_in(cell, u), back);
+}
+
+CellPlaces::CellPlaces(const SurfaceCell& cell) : cell_{&cell} {
+  const bool triangle = cell.grid.triangle;
+  flat_hit_ = cell.place({0.0, 0.0});
+  corner_ = flat_hit_.position;
+  const geometry::Hit u_corner = cell.place({1.0, 0.0}), v_corner = cell.place({0.0, 1.0});
+  along_ = u_corner.position - corner_;
+  across_ = v_corner.position - corner_;
+  flat_hit_.inset = {};
+  // The lift grows with the largest coordinate: nowhere on the piece is it larger than at a corner.
+  flat_hit_.lift = std::max({flat_hit_.lift, u_corner.lift, v_corner.lift});
+  flat_ = true;
+  if (triangle) {
+    edge_ = near_edge * cell.grid.count;
+    return;
+  }
+  flat_hit_.lift = std::max(flat_hit_.lift, cell.place({1.0, 1.0}).lift);
+  const double size = length(along_) + length(across_);
+  for (const Vec2 u : inside_places) {
+    const geometry::Hit hit = cell.place(u);
+    const Vec3 off = hit.position - (corner_ + u.x * along_ + u.y * across_);
+    flat_ =
+        flat_ && length(off) <= flat_to * size && length(hit.normal - flat_hit_.normal) <= flat_to;
+  }
+}
+
+const geometry::Hit& CellPlaces::at(Vec2 u) {
+  const Vec2 to = cell_->grid.triangle ? folded(u) : u;
+  if (!flat_ || (cell_->grid.triangle && std::min({to.x, to.y, 1.0 - to.x - to.y}) < edge_)) {
+    other_hit_ = cell_->place(u);
+    return other_hit_;
+  }
+  flat_hit_.position = corner_ + to.x * along_ + to.y * across_;
+  return flat_hit_;
 }
 
 std::uint64_t SurfaceCell::key() const noexcept { return mix(mix(facet, back ? 1 : 0), cell); }

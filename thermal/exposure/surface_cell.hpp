@@ -37,4 +37,24 @@ struct SurfaceCell {
   [[nodiscard]] std::uint64_t key() const noexcept;
 };
 
+/// Many places of one cell. On a flat facet whose parameters run evenly (triangles, planes, boxes)
+/// the scene is asked for the cell's corners alone.
+class CellPlaces {
+ public:
+  explicit CellPlaces(const SurfaceCell& cell);
+
+  [[nodiscard]] bool flat() const noexcept { return flat_; }
+  /// As SurfaceCell::place: position, normal, side and what follows from the facet. On a flat facet
+  /// uv, texture and tangent are those of a corner, and the lift is the corners' largest. Valid
+  /// until the next call.
+  [[nodiscard]] const geometry::Hit& at(Vec2 u);
+
+ private:
+  const SurfaceCell* cell_;
+  geometry::Hit flat_hit_, other_hit_;
+  Vec3 corner_, along_, across_;
+  double edge_ = 0.0;  ///< what of a triangle is nearer to its edges than this goes the general way
+  bool flat_ = false;
+};
+
 }  // namespace nadir::thermal

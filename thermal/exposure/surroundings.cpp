@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/frame.hpp"
+#include "thermal/exposure/lattice.hpp"
 
 namespace nadir::thermal {
 namespace {
@@ -101,9 +102,10 @@ void light_freely(const ExposureScratch& scratch, SurroundingPatch& patch) {
 void follow(const LookedAbout& looked, const geometry::Hit& hit, const Sampler& numbers,
             Exposure& result, SurroundingPatch& patch) {
   const ExposureScratch& scratch = result.scratch;
+  const Vec2 first = numbers.point(disc_point);
   for (std::uint32_t i = 0; i < scratch.patch_direction.size(); ++i) {
     const SunThen sun{scratch.patch_direction[i], looked.track->sin_radius, scratch.patch_epoch[i]};
-    const Vec2 u = numbers.child(i).point(disc_point);
+    const Vec2 u = stepped(first, plane_step, i);
     patch.sun_cosine.push_back(
         static_cast<float>(sun_cosine_at(*looked.scene, hit, sun, u, result.rays)));
   }

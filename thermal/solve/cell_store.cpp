@@ -3,7 +3,7 @@
 namespace nadir::thermal {
 
 CellStore::~CellStore() {
-  words_.for_each([](std::uint64_t word) {
+  words_.for_each([](std::uint64_t, std::uint64_t word) {
     if ((word & cut_flag) != 0) delete &cut_facet(word);
   });
 }

@@ -34,14 +34,15 @@ class PagedWords {
   [[nodiscard]] std::atomic<std::uint64_t>& at(std::uint64_t index) {
     return page_at(index / page_size)[index % page_size];
   }
-  /// Calls seen(word) for all that have been written.
+  /// Calls seen(index, word) for all that have been written.
   template <class Seen>
   void for_each(const Seen& seen) const {
     for (std::uint64_t number = 0; number < pages_.size(); ++number) {
       const Word* words = pages_[number].load(std::memory_order_acquire);
       const std::uint64_t count = words == nullptr ? 0 : length_of(number);
       for (std::uint64_t i = 0; i < count; ++i) {
-        if (const std::uint64_t word = words[i].load(std::memory_order_acquire)) seen(word);
+        const std::uint64_t word = words[i].load(std::memory_order_acquire);
+        if (word != 0) seen(number * page_size + i, word);
       }
     }
   }
@@ -104,6 +105,18 @@ class CellStore {
   [[nodiscard]] bool has(const CellOfFacet& cell) const noexcept;
   /// Whether the cell had no temperature before. All who store one for it store the same.
   bool store(const CellOfFacet& cell, float kelvin);
+  /// Calls seen(CellOfFacet, float) for all cells that have a temperature, by facet, cell and side.
+  /// A facet that is one cell comes with a grid that says just that, whatever its shape.
+  template <class Seen>
+  void for_each(const Seen& seen) const {
+    words_.for_each([&](std::uint64_t facet, std::uint64_t word) {
+      if ((word & cut_flag) == 0) return both_sides({facet, false, {}, 0}, word, seen);
+      const CutFacet& cut = cut_facet(word);
+      cut.words.for_each([&](std::uint64_t cell, std::uint64_t sides) {
+        both_sides({facet, false, cut.grid, static_cast<std::uint32_t>(cell)}, sides, seen);
+      });
+    });
+  }
 
  private:
   struct CutFacet {
@@ -116,6 +129,13 @@ class CellStore {
     const auto bits = static_cast<std::uint32_t>(back ? word >> 32 : word);
     if (bits == 0) return std::nullopt;
     return std::bit_cast<float>(bits);
+  }
+  template <class Seen>
+  static void both_sides(CellOfFacet cell, std::uint64_t word, const Seen& seen) {
+    for (const bool back : {false, true}) {
+      cell.back = back;
+      if (const auto kelvin = of_side(word, back)) seen(cell, *kelvin);
+    }
   }
   static CutFacet& cut_facet(std::uint64_t word) noexcept {
     return *std::bit_cast<CutFacet*>(word & ~cut_flag);

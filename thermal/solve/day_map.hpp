@@ -24,28 +24,35 @@ struct ColumnRun {
   [[nodiscard]] ColumnRun first(std::size_t steps) const noexcept {
     return {column, stages.first(2 * steps), room_k.first(2 * steps)};
   }
+  [[nodiscard]] ColumnRun after(std::size_t steps) const noexcept {
+    return {column, stages.subspan(2 * steps), room_k.subspan(2 * steps)};
+  }
 
   /// Takes the nodes' temperatures through all steps; seen(step, StepFlux) after each. Where hardly
-  /// anything takes away what the sun brings they stop at 2000 K, and the rest of the heat is lost.
+  /// anything takes away what the sun or a source brings they stop at 2000 K, and the rest of the
+  /// heat is lost; so at 2.7 K where more is taken out than comes.
+  /// @return  steps after which a node was stopped
   template <class Seen>
-  void march(std::span<double> temperature_k, const Seen& seen) const {
+  std::size_t march(std::span<double> temperature_k, const Seen& seen) const {
+    std::size_t held = 0;
     for (std::size_t step = 0; step < steps(); ++step) {
       const BalanceAt* const at = stages.data() + 2 * step;
       const std::span<const double, 2> room{room_k.data() + 2 * step, 2};
       const StepFlux flux = column->advance(
           temperature_k, [at](int stage, double t) { return at[stage](t); }, room);
-      if (beyond(temperature_k.front()) || beyond(temperature_k.back())) hold(temperature_k);
+      if (!flux.within_range) {
+        hold(temperature_k);
+        ++held;
+      }
       seen(step, flux);
     }
+    return held;
   }
-  void march(std::span<double> temperature_k) const {
-    march(temperature_k, [](std::size_t, const StepFlux&) {});
+  std::size_t march(std::span<double> temperature_k) const {
+    return march(temperature_k, [](std::size_t, const StepFlux&) {});
   }
 
  private:
-  [[nodiscard]] static bool beyond(double kelvin) noexcept {
-    return kelvin < least_temperature.value || kelvin > greatest_temperature.value;
-  }
   static void hold(std::span<double> temperature_k) noexcept {
     for (double& kelvin : temperature_k) {
       kelvin = std::clamp(kelvin, least_temperature.value, greatest_temperature.value);
@@ -83,10 +90,18 @@ struct SpinUpLimits {
 struct SpinUp {
   int days = 0;
   bool repeats = false;
+  /// The day that repeats has been seen: it ends where it begins to spin_up_k, and was held
+  /// nowhere.
+  bool ends_as_begun = false;
 };
+/// Takes Newton's step after a day that need not be the very one, such as one of long steps.
+/// @param memory  2 nodes() values to work in
+void approach(const ColumnRun& day, const DayMap& map, std::span<double> temperature_k,
+              std::span<double> memory);
 /// Brings the temperatures to the begin of a day that repeats itself. What a step leaves is told by
-/// the shortening from the step before to it: it must be spin_up_k at most at every node. Where
-/// steps do not lead far, the day must end as near to where it began.
+/// the shortening from the step before to it, after the first one by what a day's answer M is
+/// wrong: it must be spin_up_k at most at every node. Where steps do not lead far, the day must end
+/// as near to where it began.
 /// @param memory  2 nodes() values to work in
 SpinUp spin_up(const ColumnRun& day, const DayMap& map, const SpinUpLimits& limits,
                std::span<double> temperature_k, std::span<double> memory);

@@ -5,8 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "thermal/conduction/temperature_range.hpp"
 #include "thermal/solve/time_grid.hpp"
 
 namespace nadir::thermal {
@@ -101,21 +103,12 @@ bool keeps_all(const HeatMaterial& material) {
          closed;
 }
 
-void check_material(const HeatMaterial& material, const std::string& name) {
+void check_material(const HeatModel& model, std::size_t i) {
+  if (!model.materials[i]) return;
   try {
-    check(material.layers);
+    check(*model.materials[i], model.settings.grid);
   } catch (const InputError& error) {
-    throw InputError{name + ": " + error.issues().front().message};
-  }
-  const SurfaceProperties& surface = material.surface;
-  within_limits(name + ": solar absorptance", surface.solar_absorptance, {0.0, 1.0});
-  within_limits(name + ": emissivity", surface.emissivity, {0.0, 1.0});
-  within_limits(name + ": wind factor", surface.wind_factor, {0.0, 100.0});
-  within_limits(name + ": wetness", surface.wetness, {0.0, 1.0});
-  if (keeps_all(material)) {
-    throw InputError{name +
-                     ": nothing takes heat away, expected an emissivity or a film above 0, "
-                     "or a back with a temperature"};
+    throw InputError{"material " + std::to_string(i) + ": " + error.issues().front().message};
   }
 }
 
@@ -139,16 +132,65 @@ void check_whose(const HeatModel& model, std::size_t i, const std::string& name)
                    std::to_string(whose) + ", which has none"};
 }
 
+/// What the sun alone makes of a surface, to the fourth power. 400 K is a black one that has
+/// 1450 W m^-2 and nothing but its own radiation to cool it. One that takes more of sunlight than
+/// it emits becomes warmer unless air cools it: every law of convection does, a given film may not.
+double warmest_by_sun_k4(const SurfaceProperties& surface) {
+  constexpr double sunlit_k = 400.0;
+  constexpr double cools_w_m2_k = 5.0;  // 100 K over the air: 500 W m^-2, half the sun
+  const double k4 = std::pow(sunlit_k, 4);
+  const auto* given = std::get_if<FixedFilm>(&surface.convection);
+  if (given == nullptr || given->film_w_m2_k >= cools_w_m2_k) return k4;
+  if (surface.solar_absorptance <= surface.emissivity) return k4;
+  return k4 * surface.solar_absorptance / surface.emissivity;  // infinite without emission
+}
+
+double behind_k(const Back& back) {
+  constexpr double warmest_air_k = 350.0;  // that check(Weather) lets pass
+  if (const auto* fixed = std::get_if<FixedBack>(&back)) return fixed->temperature.value;
+  const auto* room = std::get_if<RoomBack>(&back);
+  if (room == nullptr) return 0.0;
+  return room->temperature ? room->temperature->value : warmest_air_k + room->offset_k;
+}
+
 }  // namespace
+
+Kelvin warmest_of(const HeatMaterial& material) {
+  double released_w_m2 = 0.0;
+  for (const Layer& layer : material.layers.layers) {
+    released_w_m2 += std::max(0.0, layer.heat_w_m2);
+  }
+  double k4 = warmest_by_sun_k4(material.surface);
+  if (released_w_m2 > 0.0) {
+    k4 += released_w_m2 / (material.surface.emissivity * si::stefan_boltzmann);
+  }
+  const double k = std::max(std::pow(k4, 0.25), behind_k(material.layers.back));
+  return Kelvin{std::min(k, greatest_temperature.value)};
+}
+
+void check(const HeatMaterial& material, const GridSettings& grid) {
+  static_cast<void>(make_grid(material.layers, grid));
+  const SurfaceProperties& surface = material.surface;
+  within_limits("solar absorptance", surface.solar_absorptance, {0.0, 1.0});
+  within_limits("emissivity", surface.emissivity, {0.0, 1.0});
+  within_limits("wind factor", surface.wind_factor, {0.0, 100.0});
+  within_limits("wetness", surface.wetness, {0.0, 1.0});
+  if (const auto* given = std::get_if<FixedFilm>(&surface.convection)) {
+    within_limits("film of air in W m^-2 K^-1", given->film_w_m2_k, {0.0, 1e6});
+  }
+  if (keeps_all(material)) {
+    throw InputError{
+        "nothing takes heat away, expected an emissivity or a film above 0, or a back with a "
+        "temperature"};
+  }
+}
 
 void check(const HeatModel& model) {
   check_heat_settings(model.settings);
   check(model.weather);
   check_cover(model);
   check_track(model.sun);
-  for (std::size_t i = 0; i < model.materials.size(); ++i) {
-    if (model.materials[i]) check_material(*model.materials[i], "material " + std::to_string(i));
-  }
+  for (std::size_t i = 0; i < model.materials.size(); ++i) check_material(model, i);
   if (model.surroundings.size() < model.materials.size()) {
     throw InputError{"heat balance: " + std::to_string(model.materials.size()) +
                      " materials, but only " + std::to_string(model.surroundings.size()) +

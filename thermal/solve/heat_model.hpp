@@ -7,6 +7,7 @@
 
 #include "core/quantity.hpp"
 #include "thermal/conduction/column.hpp"
+#include "thermal/conduction/depth_grid.hpp"
 #include "thermal/conduction/layers.hpp"
 #include "thermal/exposure/exposure.hpp"
 #include "thermal/surface/surface_balance.hpp"
@@ -60,5 +61,18 @@ struct HeatModel {
 
 /// @throws InputError that names what is missing or out of range
 void check(const HeatModel& model);
+/// A material alone, in words that do not say which it is.
+/// @throws InputError for figures out of range, whatever make_grid refuses, and where nothing could
+///         ever take the sun's heat away
+void check(const HeatMaterial& material, const GridSettings& grid = {});
+
+/// How warm a surface of the material may become, so that nobody need look for the emission of
+/// warmer ones. The sun alone makes it 400 K at most, or more of a bright metal whose film is a
+/// given one too thin to cool it; heat released within adds as radiation,
+///
+///     eps sigma T^4 = eps sigma T_sun^4 + heat,
+///
+/// and neither counts where what lies behind the layers is warmer. No more than 2000 K.
+[[nodiscard]] Kelvin warmest_of(const HeatMaterial& material);
 
 }  // namespace nadir::thermal

@@ -19,6 +19,16 @@ struct HeatCounters {
   std::uint64_t steps = 0;  ///< spin-up included
   int longest_spin_up_days = 0;
   std::uint64_t not_repeating = 0;  ///< cells whose spin-up ended at its limit
+  std::uint64_t held = 0;  ///< cells of which a node was stopped at 2.7 or 2000 K in the record
+  std::uint64_t references_not_repeating = 0;  ///< level places, two a material, likewise
+  std::uint64_t references_held = 0;
+};
+
+/// What the rays of a cell leave undecided of its temperature: that of the same cell, solved with
+/// other rays, differs by sqrt(2) of it.
+struct HeatError {
+  double rms_k = 0.0, largest_k = 0.0;  ///< statistical error of a cell: difference / sqrt(2)
+  std::size_t cells = 0;                ///< that were compared; with none the rest says nothing
 };
 
 /// The heat balance of one cell through time.
@@ -57,6 +67,14 @@ class HeatSolver {
   /// The whole history of the cell at a hit.
   [[nodiscard]] HeatRecord record(const geometry::Hit& hit) const;
   [[nodiscard]] HeatCounters counters() const;
+  /// Solves some cells again with other rays, in parallel, and compares. Of the cells that rays
+  /// asked for directly so far, `cells` are taken, evenly in the order of materials and facets (all
+  /// if there are fewer). Nothing that has been solved changes; counters do not count this.
+  [[nodiscard]] HeatError error(std::size_t cells) const;
+  /// What of the temperatures is not what the model asks for, in words, with the material's index
+  /// and counts, in the order of materials: cells and level places that were held at a limit of
+  /// temperature, and those that do not repeat themselves at the end of spin-up.
+  [[nodiscard]] std::vector<std::string> cautions() const;
   [[nodiscard]] const HeatModel& model() const noexcept;
 
  private:

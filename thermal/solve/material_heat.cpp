@@ -19,6 +19,18 @@ std::vector<double> behind_the_back(const LayerStack& layers, const SharedStages
   return room_k;
 }
 
+/// A series at the stages of the first day's long steps: mean of each, twice.
+std::vector<double> at_long_stages(const std::vector<double>& series, const SharedStages& shared) {
+  const std::vector<double>& mean = shared.long_steps.mean;
+  std::vector<double> result;
+  for (std::size_t step = 0; step < shared.grid.long_steps(); ++step) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mean.size(); ++i) sum += mean[i] * series[step * mean.size() + i];
+    result.insert(result.end(), 2, sum);
+  }
+  return result;
+}
+
 /// The day's mean flux into a surface that is held at a temperature, from some three dozen stages.
 SurfaceFlux mean_flux(const ColumnRun& day, double temperature_k) {
   const std::size_t stride = std::max<std::size_t>(1, day.steps() / 36);
@@ -86,6 +98,13 @@ MaterialHeat::MaterialHeat(const HeatModel& model, const HeatMaterial& material,
     const AirFlow flow{weather.wind_speed_m_s * material_.surface.wind_factor, 1.0};
     forced_level_.push_back(film(material_.surface.convection, flow).forced_w_m2_k);
   }
+  if (shared.grid.in_long_step > 1) {
+    const auto longer = static_cast<double>(shared.grid.in_long_step);
+    long_column_.emplace(material.layers, model.settings.grid,
+                         Seconds{longer * shared.grid.step_s});
+    long_forced_level_ = at_long_stages(forced_level_, shared);
+    long_room_k_ = at_long_stages(room_k_, shared);
+  }
   solve_references(model, shared);
 }
 
@@ -110,6 +129,26 @@ void MaterialHeat::balance_stages(const SharedStages& shared, CellMemory& memory
       memory.stages.emplace_back(surface(), load, back.at(i, shared, film_at(i, back_film)));
     } else {
       memory.stages.emplace_back(surface(), load);
+    }
+  }
+  if (long_column_) balance_long_stages(shared, memory);
+}
+
+void MaterialHeat::balance_long_stages(const SharedStages& shared, CellMemory& memory) const {
+  const SideLoad &front = memory.sides[0], &back = memory.sides[1];
+  Film front_film = relative_film(front.place_up);
+  Film back_film = open_ ? relative_film(back.place_up) : front_film;
+  const double front_forced = front_film.forced_w_m2_k, back_forced = back_film.forced_w_m2_k;
+  memory.long_stages.clear();
+  memory.long_stages.reserve(long_forced_level_.size());
+  for (std::size_t i = 0; i < long_forced_level_.size(); ++i) {
+    front_film.forced_w_m2_k = front_forced * long_forced_level_[i];
+    const SurfaceLoad load = front.at_long(i, shared, front_film);
+    if (open_) {
+      back_film.forced_w_m2_k = back_forced * long_forced_level_[i];
+      memory.long_stages.emplace_back(surface(), load, back.at_long(i, shared, back_film));
+    } else {
+      memory.long_stages.emplace_back(surface(), load);
     }
   }
 }
@@ -168,18 +207,20 @@ void MaterialHeat::solve_references(const HeatModel& model, const SharedStages& 
       flux_per_k_ = mean_flux(day, common_k_).per_k_w_m2_k;
     }
     memory.days.resize(2 * column_.nodes());
-    spin_up(day, *day_map_, limits, memory.temperature_k, memory.days);
+    const SpinUp done = spin_up(day, *day_map_, limits, memory.temperature_k, memory.days);
+    if (!done.repeats) ++references_.not_repeating;
     Reference& reference = lit ? lit_ : shaded_;
     reference.begin_k = memory.temperature_k;
     reference.flux_w_m2 = mean_flux(day, common_k_).w_m2;
     std::vector<double>& series = lit ? emission_.lit : emission_.shaded;
     double before_k = memory.temperature_k.front();
-    all.march(memory.temperature_k, [&](std::size_t, const StepFlux&) {
+    const std::size_t held = all.march(memory.temperature_k, [&](std::size_t, const StepFlux&) {
       const double after_k = memory.temperature_k.front();
       series.push_back(emitted_at(before_k + Column::gamma * (after_k - before_k)));
       series.push_back(emitted_at(after_k));
       before_k = after_k;
     });
+    if (held > 0) ++references_.held;
     memory.temperature_k = reference.begin_k;
   }
 }
@@ -210,6 +251,10 @@ SpinUp MaterialHeat::find_begin(const HeatModel& model, const SharedStages& shar
                                 CellMemory& memory) const {
   guess_begin(shared, memory);
   memory.days.resize(2 * column_.nodes());
+  if (long_column_ && day_map_->steps_far()) {
+    approach({&*long_column_, memory.long_stages, long_room_k_}, *day_map_, memory.temperature_k,
+             memory.days);
+  }
   return spin_up(run(memory).first(shared.grid.day_steps), *day_map_,
                  {model.settings.spin_up_k, model.settings.spin_up_days}, memory.temperature_k,
                  memory.days);

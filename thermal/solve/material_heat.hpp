@@ -18,7 +18,7 @@ namespace nadir::thermal {
 struct CellMemory {
   Exposure exposure;
   std::array<SideLoad, 2> sides;  ///< the outward side, and of an open sheet the other one
-  std::vector<BalanceAt> stages;
+  std::vector<BalanceAt> stages, long_stages;
   std::vector<double> temperature_k, days;
 };
 
@@ -43,11 +43,17 @@ class MaterialHeat {
             relative.natural_cold_w_m2_k43};
   }
 
-  /// Fills memory.stages from memory.sides.
+  /// Fills memory.stages and memory.long_stages from memory.sides.
   void balance_stages(const SharedStages& shared, CellMemory& memory) const;
   [[nodiscard]] ColumnRun run(const CellMemory& memory) const noexcept {
     return {&column_, memory.stages, room_k_};
   }
+  /// Of the level places that others see, two of each material.
+  struct References {
+    int not_repeating = 0;  ///< at the limit of spin-up
+    int held = 0;           ///< at a limit of temperature
+  };
+  [[nodiscard]] const References& references() const noexcept { return references_; }
   /// Fills memory.temperature_k with what the repeating first day of the record begins with.
   SpinUp find_begin(const HeatModel& model, const SharedStages& shared, CellMemory& memory) const;
 
@@ -61,16 +67,20 @@ class MaterialHeat {
                       CellMemory& memory) const;
   void solve_references(const HeatModel& model, const SharedStages& shared);
   void set_steady(const SharedStages& shared, CellMemory& memory) const;
+  void balance_long_stages(const SharedStages& shared, CellMemory& memory) const;
   void guess_begin(const SharedStages& shared, CellMemory& memory) const;
 
   HeatMaterial material_;
   Column column_;
+  std::optional<Column> long_column_;  // of the long steps; none if there are none
   bool open_ = false;
   std::vector<double> forced_level_;  // film of forced convection on level ground, by stage
   std::vector<double> room_k_;        // behind the back, by stage; not looked at without a room
+  std::vector<double> long_forced_level_, long_room_k_;  // by stage of the long steps
   double common_k_ = 288.15;
   double flux_per_k_ = -10.0;  // of mean_flux() at common_k_
   Reference shaded_, lit_;
+  References references_;
   std::optional<DayMap> day_map_;
   EmissionSeries emission_;
 };

@@ -62,6 +62,40 @@ void add_patch_moments(const HeatModel& model, SharedStages& shared) {
   }
 }
 
+/// Of a load q that runs linearly through a long step, at times x from -1/2 to 1/2 of it with the
+/// scheme's weights w: mean sum w q, trend sum w x q / sum w x^2.
+void add_long_steps(SharedStages& shared) {
+  const TimeGrid& grid = shared.grid;
+  SharedStages::LongSteps& steps = shared.long_steps;
+  const auto count = static_cast<double>(grid.in_long_step);
+  std::vector<double> place;
+  double spread = 0.0;
+  for (std::size_t stage = 0; stage < 2 * grid.in_long_step; ++stage) {
+    const bool end = stage % 2 != 0;
+    const double within = static_cast<double>(stage / 2) + (end ? 1.0 : Column::gamma);
+    place.push_back(within / count - 0.5);
+    steps.mean.push_back((end ? Column::gamma : 1.0 - Column::gamma) / count);
+    spread += steps.mean.back() * place.back() * place.back();
+  }
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const double trend = steps.mean[i] * place[i] / spread;
+    steps.weights[0].push_back(steps.mean[i] + (Column::gamma - 0.5) * trend);
+    steps.weights[1].push_back(steps.mean[i] + 0.5 * trend);
+  }
+  for (std::size_t stage = 0; stage < 2 * grid.long_steps(); ++stage) {
+    WeatherState sum{};
+    sum.air_temperature_k = sum.vapour_pressure_hpa = sum.pressure_hpa = 0.0;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const WeatherState& one = shared.weather[stage / 2 * place.size() + i];
+      const double weight = steps.weights[stage % 2][i];
+      sum.air_temperature_k += weight * one.air_temperature_k;
+      sum.vapour_pressure_hpa += weight * one.vapour_pressure_hpa;
+      sum.pressure_hpa += steps.mean[i] * one.pressure_hpa;
+    }
+    steps.weather.push_back(sum);
+  }
+}
+
 double black_body(double temperature_k) {
   const double t2 = temperature_k * temperature_k;
   return si::stefan_boltzmann * t2 * t2;
@@ -86,6 +120,7 @@ SharedStages make_shared_stages(const HeatModel& model) {
   SharedStages shared;
   shared.grid = make_time_grid(model.settings);
   add_weather(model.weather, shared);
+  add_long_steps(shared);
   add_sun(model.sun, shared);
   add_patch_moments(model, shared);
   for (const SurroundingSurface& surface : model.surroundings) {

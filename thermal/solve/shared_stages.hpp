@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct EmissionSeries {
 
 /// What all cells share at the stages of the steps.
 struct SharedStages {
+  /// The first day in long steps: each of its two stages is a weighted sum of the stages within, by
+  /// which loads keep their mean and their trend.
+  struct LongSteps {
+    std::array<std::vector<double>, 2> weights;
+    std::vector<double> mean;           ///< weights that keep the mean alone
+    std::vector<WeatherState> weather;  ///< at each long stage: what all places share
+  };
+
   /// Stages between which the scene does not change.
   struct Run {
     std::size_t begin = 0, end = 0;
@@ -36,6 +45,7 @@ struct SharedStages {
   std::vector<double> level_cosine;       ///< of the sun at its track's moments, on level ground
   std::vector<float> level_patch_cosine;  ///< likewise at the patches' moments
   std::vector<EmissionSeries> surroundings;  ///< by material; `ground_about` last
+  LongSteps long_steps;
 
   [[nodiscard]] std::size_t surroundings_index(std::uint32_t material) const noexcept {
     return material + 1ULL < surroundings.size() ? material : surroundings.size() - 1;

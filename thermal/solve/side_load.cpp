@@ -149,6 +149,28 @@ SurfaceLoad SideLoad::at(std::size_t stage, const SharedStages& shared,
           .film = film};
 }
 
+SurfaceLoad SideLoad::at_long(std::size_t stage, const SharedStages& shared,
+                              const Film& film) const noexcept {
+  const SharedStages::LongSteps& steps = shared.long_steps;
+  const std::vector<double>& weights = steps.weights[stage % 2];
+  const std::size_t first = stage / 2 * weights.size();
+  double light = 0.0, heat = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const std::size_t at = first + i;
+    const double sky = sky_fraction[at];
+    light += weights[i] * (sun_cosine[at] * shared.direct_normal[at] + sky * shared.diffuse[at] +
+                           reflected_w_m2[at]);
+    heat += weights[i] * (sky * shared.sky_long_wave[at] + surroundings_w_m2[at]);
+  }
+  const WeatherState& weather = steps.weather[stage];
+  return {.direct_w_m2 = light,
+          .sky_long_wave_w_m2 = heat,
+          .air_k = weather.air_temperature_k,
+          .vapour_pressure_hpa = weather.vapour_pressure_hpa,
+          .pressure_hpa = weather.pressure_hpa,
+          .film = film};
+}
+
 void find_load(const HeatModel& model, const SharedStages& shared, const Exposure& exposure,
                double place_up, SideLoad& load) {
   const std::size_t stages = shared.grid.stages();

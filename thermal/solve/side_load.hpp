@@ -50,6 +50,9 @@ struct SideLoad {
 
   [[nodiscard]] SurfaceLoad at(std::size_t stage, const SharedStages& shared,
                                const Film& film) const noexcept;
+  /// At a stage of the first day's long steps: sunlight and long-wave radiation summed.
+  [[nodiscard]] SurfaceLoad at_long(std::size_t stage, const SharedStages& shared,
+                                    const Film& film) const noexcept;
 
   std::vector<SurroundingsFactors> factors;  ///< by epoch: memory to work in
 };

@@ -13,6 +13,16 @@ std::size_t rounded_up(double ratio) {
   return static_cast<std::size_t>(std::ceil(ratio * (1.0 - whole_slack)));
 }
 
+/// The largest divisor of the day's steps that makes no more than an hour.
+std::size_t in_long_step(const TimeGrid& grid) {
+  constexpr double most_s = 3600.0 * (1.0 + whole_slack);
+  const auto most = std::max<std::size_t>(1, static_cast<std::size_t>(most_s / grid.step_s));
+  for (std::size_t steps = most; steps > 1; --steps) {
+    if (grid.day_steps % steps == 0) return steps;
+  }
+  return 1;
+}
+
 }  // namespace
 
 double TimeGrid::stage_s(std::size_t stage) const noexcept {
@@ -26,6 +36,7 @@ TimeGrid make_time_grid(const HeatSettings& settings) {
   grid.day_steps = std::max<std::size_t>(1, rounded_up(seconds_per_day / settings.step_s));
   grid.step_s = seconds_per_day / static_cast<double>(grid.day_steps);
   grid.steps = std::max(grid.day_steps, rounded_up(settings.history_s / grid.step_s));
+  grid.in_long_step = in_long_step(grid);
   return grid;
 }
 

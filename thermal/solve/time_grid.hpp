@@ -18,7 +18,10 @@ struct TimeGrid {
   double step_s = 600.0;
   std::size_t day_steps = 144;  ///< of the record's first day, which the spin-up repeats
   std::size_t steps = 144;
+  /// Of which one long step of that day is made, an hour at most: 1 where none fits.
+  std::size_t in_long_step = 6;
 
+  [[nodiscard]] std::size_t long_steps() const noexcept { return day_steps / in_long_step; }
   [[nodiscard]] std::size_t stages() const noexcept { return 2 * steps; }
   [[nodiscard]] double stage_s(std::size_t stage) const noexcept;
 };
