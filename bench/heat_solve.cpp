@@ -22,6 +22,7 @@
 #include <cstring>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "core/random.hpp"
@@ -203,6 +204,11 @@ void solve_many(std::uint64_t cells) {
       1e3 * (1e6 * used / n - rays_us) * n / static_cast<double>(counters.steps));
   std::printf("longest spin-up %d days, %llu cells do not repeat\n", counters.longest_spin_up_days,
               static_cast<unsigned long long>(counters.not_repeating));
+  for (const std::string& caution : solver.cautions()) std::printf("%s\n", caution.c_str());
+  const Timer trying;
+  const HeatError error = solver.error(64);
+  std::printf("of %zu cells, along other rays: %.2f K rms, %.2f K at most, in %.3f s\n",
+              error.cells, error.rms_k, error.largest_k, trying.wall());
   double sum = 0.0;
   const Timer looking;
   for (std::uint64_t facet = 0; facet < cells; facet += 7) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nadir::sim {
 namespace {
@@ -46,6 +47,7 @@ std::string text_at(double x, double y, const std::string& text, const TextStyle
 struct PanelScale {
   double x_lo, x_hi, y_lo, y_hi;
   double top_px;
+  std::vector<double> y_ticks;
 
   [[nodiscard]] double x(double value) const {
     return left + plot_width * (value - x_lo) / (x_hi - x_lo);
@@ -86,8 +88,9 @@ PanelScale scale_of(const LinePlot& plot, const PlotPanel& panel, double top_px)
     }
   }
   if (!(lo <= hi)) lo = 0.0, hi = 1.0;
-  const auto steps = round_steps(lo, hi, 6);
-  return {plot.x.front(), plot.x.back(), steps.front(), steps.back(), top_px};
+  auto steps = round_steps(lo, hi, 6);
+  const double least = steps.front(), most = steps.back();
+  return {plot.x.front(), plot.x.back(), least, most, top_px, std::move(steps)};
 }
 
 std::string draw_panel(const LinePlot& plot, const PlotPanel& panel, double top_px) {
@@ -96,7 +99,7 @@ std::string draw_panel(const LinePlot& plot, const PlotPanel& panel, double top_
   std::string svg = fmt::format(
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\" stroke=\"#888\"/>\n", left,
       top_px, plot_width, panel_height);
-  for (const double y : round_steps(scale.y_lo, scale.y_hi, 6)) {
+  for (const double y : scale.y_ticks) {
     svg +=
         fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#ddd\"/>\n",
                     left, left + plot_width, scale.y(y));

@@ -49,7 +49,7 @@ atmosphere::Atmosphere air_from(const TableAir& air, InputFiles& files) {
 
 void warn_at(const SourceLocation& where, const std::string& message, Diagnostics& diagnostics) {
   diagnostics.warn(
-      fmt::format("{}:{}:{}: warning: {}", where.file, where.line, where.column, message));
+      fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, message));
 }
 
 void warn_of_bright_night(const Scenario& scenario, const ephemeris::Illumination& bodies,

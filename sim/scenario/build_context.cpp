@@ -8,7 +8,7 @@ namespace nadir::sim {
 
 void BuildContext::warn(std::size_t offset, const std::string& message) const {
   const SourceLocation at = source.locate(offset);
-  diagnostics.warn(fmt::format("{}:{}:{}: warning: {}", at.file, at.line, at.column, message));
+  diagnostics.warn(fmt::format("{}:{}:{}: {}", at.file, at.line, at.column, message));
 }
 
 void BuildContext::check_unique(const std::vector<const CheckedElement*>& elements,

@@ -51,10 +51,10 @@ TEST_CASE("a table of the air for another height, or a coarse one, is told of",
   const AirFolder folder;
   const TinyScenario scenario = with_table_of_day(folder, 0.2);
   const std::string height =
-      "tiny.xml:5:13: warning: the table of the air was made for a camera "
+      "tiny.xml:5:13: the table of the air was made for a camera "
       "350 m above the sea; this one at 1800 m gets";
   const std::string error =
-      "tiny.xml:5:13: warning: the light of the air is interpolated to within 20 % at worst";
+      "tiny.xml:5:13: the light of the air is interpolated to within 20 % at worst";
   const AirRun same = run_air(folder, scenario.text());
   CHECK_FALSE(same.says(height));
   CHECK(same.says(error));

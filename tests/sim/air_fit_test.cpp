@@ -147,7 +147,7 @@ TEST_CASE("haze that lets nothing through is told of at its element", "[sim][air
   // 3.912 / 0.1 km of extinction over a kilometre or two.
   const auto dense = warnings(R"(<aerosol type="fog_advection" visibility_km="0.1"/>)");
   REQUIRE(dense.size() == 1);
-  CHECK(dense[0].find("test.xml:7:24: warning: the haze of the lowest 2 km has an optical depth") !=
+  CHECK(dense[0].find("test.xml:7:24: the haze of the lowest 2 km has an optical depth") !=
         std::string::npos);
   CHECK(dense[0].find("<cloud> at the ground") != std::string::npos);
   CHECK(warnings(R"(<aerosol visibility_km="1"/>)").empty());

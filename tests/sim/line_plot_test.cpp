@@ -41,6 +41,14 @@ TEST_CASE("a curve stands where its values are", "[sim][plot]") {
              Catch::Contains("points=\"70.0,314.0 390.0,189.0 710.0,64.0 \""));
 }
 
+TEST_CASE("no tick stands outside its panel", "[sim][plot]") {
+  LinePlot plot = two_points(285.0);
+  plot.panels[0].series[0].y = {-618.0, 0.0, 573.0};  // ticks of 200: -800 to 600
+  const std::string svg = to_svg(plot);
+  CHECK_THAT(svg, Catch::Contains(">-800</text>") && Catch::Contains(">600</text>"));
+  CHECK_THAT(svg, !Catch::Contains("1000"));
+}
+
 TEST_CASE("what is not a number leaves a gap", "[sim][plot]") {
   const std::string svg = to_svg(two_points(std::numeric_limits<double>::quiet_NaN()));
   CHECK_THAT(svg, Catch::Contains("points=\"70.0,314.0 \""));

@@ -196,7 +196,7 @@ TEST_CASE("weather that nothing needs is told", "[scenario][heat]") {
   REQUIRE(diagnostics.messages().size() == 1);
   CHECK(diagnostics.messages()[0] ==
         (test::data_folder() / "test.xml").string() +
-            ":8:1: warning: no material has a heat balance or the air's temperature: <heat> "
+            ":8:1: no material has a heat balance or the air's temperature: <heat> "
             "changes nothing");
   Diagnostics quiet;
   static_cast<void>(parse_scenario(balance_with(""), test::data_folder() / "test.xml", quiet));

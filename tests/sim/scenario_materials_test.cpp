@@ -155,7 +155,7 @@ TEST_CASE("weights that do not sum to 1 are told", "[scenario][materials]") {
                      "</mixture></material><material name=\"a\" reflectance=\"1\"/>"),
       test::data_folder() / "test.xml", diagnostics));
   REQUIRE(diagnostics.messages().size() == 1);
-  CHECK(diagnostics.messages()[0].find("test.xml:9:23: warning: the weights of the mixture "
+  CHECK(diagnostics.messages()[0].find("test.xml:9:23: the weights of the mixture "
                                        "\"grey\" sum to 0.5, not to 1") != std::string::npos);
 }
 

@@ -239,7 +239,7 @@ TEST_CASE("a material that nothing is made of is a warning with its place", "[sc
       "somewhere/test.xml", diagnostics));
   CHECK(diagnostics.messages() ==
         std::vector<std::string>{
-            "somewhere/test.xml:10:5: warning: no object is made of material \"spare\""});
+            "somewhere/test.xml:10:5: no object is made of material \"spare\""});
 }
 
 TEST_CASE("a material library lists its materials", "[scenario]") {

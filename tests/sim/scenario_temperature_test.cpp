@@ -348,7 +348,7 @@ TEST_CASE("presence that cannot be is located", "[scenario][temperature][mistake
         "12:38: attribute \"present_from\" of <sphere>: time \"2026-06-21\": expected ISO 8601 in "
         "UTC, such as 2026-06-21T16:00:00Z\n");
   CHECK(warnings_of(sphere("present_from=\"2026-06-21T16:00:01Z\"")) ==
-        ":12:38: warning: <sphere> comes after the moment of the image: it is never there\n");
+        ":12:38: <sphere> comes after the moment of the image: it is never there\n");
   CHECK(warnings_of(sphere("present_from=\"2026-06-21T16:00:00Z\"")).empty());
   CHECK(mistake_lines(with_geometry("<terrain raster=\"ground.asc\" material=\"grey\" "
                                     "present_until=\"2026-06-21T10:00:00Z\"/>"))

@@ -125,7 +125,7 @@ struct Yard {
     model.settings.step_s = 1800.0;
     model.settings.exposure.sky_rays = 16;
     for (int i = 0; i < 12; ++i) {
-      for (int j = 0; j < 4; ++j) hits.push_back(from_above(scene, -14.9 + 2.5 * i, -6.0 + 4 * j));
+      for (int j = 0; j < 4; ++j) hits.push_back(from_above(scene, -14.9 + 2.7 * i, -6.0 + 4 * j));
     }
   }
 };
@@ -143,13 +143,16 @@ TEST_CASE("the error of a cell is what other rays would have made of it",
   CHECK(error.largest_k > error.rms_k);
   CHECK(solver.counters().rays == before.rays);
 
-  // The same from solvers of other seeds: sqrt of the mean variance over cells. With n cells and
-  // one difference each, against six seeds, the ratio is within 1/sqrt(2 n) = 0.13 or so of 1,
-  // threefold since the worst cells carry most of it.
+  // The same from solvers of other seeds: sqrt of the mean variance over cells, each of which has
+  // one hit. Of six solvers either way; a few cells at the edge of a shadow carry most of it.
+  REQUIRE(error.cells == yard.hits.size());
   constexpr int seeds = 6;
+  double told = 0.0;
   std::vector<double> sum(yard.hits.size()), squares(yard.hits.size());
   for (std::uint64_t seed = 11; seed < 11 + seeds; ++seed) {
     const HeatSolver other{yard.scene, yard.model, seed};
+    other.solve_ahead(yard.hits);
+    told += std::pow(other.error(1000).rms_k, 2) / seeds;
     for (std::size_t i = 0; i < yard.hits.size(); ++i) {
       const double k = other.at(yard.hits[i]).value;
       sum[i] += k;
@@ -161,7 +164,7 @@ TEST_CASE("the error of a cell is what other rays would have made of it",
     variance += (squares[i] - sum[i] * sum[i] / seeds) / (seeds - 1);
   }
   const double expected = std::sqrt(variance / static_cast<double>(sum.size()));
-  CHECK(error.rms_k == Approx(expected).epsilon(0.25));
+  CHECK(std::sqrt(told) == Approx(expected).epsilon(0.2));
 }
 
 TEST_CASE("which cells are tried for their error depends on what is solved alone",

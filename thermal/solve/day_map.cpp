@@ -70,6 +70,23 @@ void move_begin(std::span<const double> begin, std::span<const double> step,
   }
 }
 
+/// A day that has been gone through, and Newton's step after it.
+struct DayDone {
+  std::span<double> begin, step;
+  bool held = false;
+};
+/// Leaves in temperature_k what the day changed.
+DayDone go_through(const ColumnRun& day, const DayMap& map, std::span<double> temperature_k,
+                   std::span<double> memory) {
+  const std::size_t nodes = temperature_k.size();
+  DayDone done{memory.first(nodes), memory.subspan(nodes, nodes)};
+  std::copy(temperature_k.begin(), temperature_k.end(), done.begin.begin());
+  done.held = day.march(temperature_k) > 0;
+  for (std::size_t i = 0; i < nodes; ++i) temperature_k[i] -= done.begin[i];
+  map.step(temperature_k, done.step);
+  return done;
+}
+
 /// M times the step: what of it the day does not forget, and where a wrong M tells. Of a mode that
 /// falls to M within a day, at a rate that is off by a share d, Newton's step leaves the share
 /// d M |ln M| / (1 - M); with d = 1/4 that is at most M down to M = 0.02 (ln 0.02 = -3.9), and
@@ -119,37 +136,28 @@ void DayMap::step(std::span<const double> change_k, std::span<double> result) co
 
 void approach(const ColumnRun& day, const DayMap& map, std::span<double> temperature_k,
               std::span<double> memory) {
-  const std::size_t nodes = temperature_k.size();
-  const std::span<double> begin = memory.first(nodes), step = memory.subspan(nodes, nodes);
-  std::copy(temperature_k.begin(), temperature_k.end(), begin.begin());
-  day.march(temperature_k);
-  for (std::size_t i = 0; i < nodes; ++i) temperature_k[i] -= begin[i];
-  map.step(temperature_k, step);
-  move_begin(begin, step, temperature_k);
+  const DayDone done = go_through(day, map, temperature_k, memory);
+  move_begin(done.begin, done.step, temperature_k);
 }
 
 SpinUp spin_up(const ColumnRun& day, const DayMap& map, const SpinUpLimits& limits,
                std::span<double> temperature_k, std::span<double> memory) {
-  const std::size_t nodes = temperature_k.size();
-  const std::span<double> begin = memory.first(nodes), step = memory.subspan(nodes, nodes);
   // Until two steps have shown it: slopes of one material's places differ by less than a quarter.
   double remains = 0.25, before = std::numeric_limits<double>::infinity();
   for (int days = 1;; ++days) {
-    std::copy(temperature_k.begin(), temperature_k.end(), begin.begin());
-    const bool held = day.march(temperature_k) > 0;
-    for (std::size_t i = 0; i < nodes; ++i) temperature_k[i] -= begin[i];
-    const double change = largest(temperature_k);
-    map.step(temperature_k, step);
-    const double away = largest(step);
+    const DayDone done = go_through(day, map, temperature_k, memory);
+    const double change = largest(temperature_k), away = largest(done.step);
     if (days > 1) remains = std::min(1.0, away / before);
-    const double first = days == 1 ? remembered(step, temperature_k) : away;
+    const double first = days == 1 ? remembered(done.step, temperature_k) : away;
     // A step that did not help is not repeated: the day itself always leads on.
     const bool helps = remains < 0.7;
-    if (!helps) std::copy(temperature_k.begin(), temperature_k.end(), step.begin());
-    move_begin(begin, step, temperature_k);
+    if (!helps) std::copy(temperature_k.begin(), temperature_k.end(), done.step.begin());
+    move_begin(done.begin, done.step, temperature_k);
     const double left = map.steps_far() ? std::min(remains * away, first) : change;
-    if (left <= limits.spin_up_k) return {days, true, map.steps_far() && !held};
-    if (days >= limits.most_days) return {days, false, false};
+    const bool repeats = left <= limits.spin_up_k;
+    if (repeats || days >= limits.most_days) {
+      return {days, repeats, repeats && map.steps_far() && !done.held};
+    }
     before = away;
   }
 }

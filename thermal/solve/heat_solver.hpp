@@ -16,8 +16,8 @@ struct HeatCounters {
   std::uint64_t cells_ahead = 0;      ///< solved before the picture, in a batch
   std::uint64_t cells_on_demand = 0;  ///< solved when a ray first needed one
   std::uint64_t rays = 0;
-  std::uint64_t steps = 0;  ///< spin-up included
-  int longest_spin_up_days = 0;
+  std::uint64_t steps = 0;          ///< spin-up included
+  int longest_spin_up_days = 0;     ///< the first one, of long steps, not counted
   std::uint64_t not_repeating = 0;  ///< cells whose spin-up ended at its limit
   std::uint64_t held = 0;  ///< cells of which a node was stopped at 2.7 or 2000 K in the record
   std::uint64_t references_not_repeating = 0;  ///< level places, two a material, likewise

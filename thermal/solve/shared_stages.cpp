@@ -72,7 +72,7 @@ void add_long_steps(SharedStages& shared) {
   double spread = 0.0;
   for (std::size_t stage = 0; stage < 2 * grid.in_long_step; ++stage) {
     const bool end = stage % 2 != 0;
-    const double within = static_cast<double>(stage / 2) + (end ? 1.0 : Column::gamma);
+    const double within = static_cast<double>(stage >> 1U) + (end ? 1.0 : Column::gamma);
     place.push_back(within / count - 0.5);
     steps.mean.push_back((end ? Column::gamma : 1.0 - Column::gamma) / count);
     spread += steps.mean.back() * place.back() * place.back();
