@@ -154,9 +154,7 @@ RunOutcome run_scenario(const RunOptions& options) {
   });
   report.counters = counters_of(result.counters);
   report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
-  if (world.heat) {
-    for (const std::string& caution : world.heat->cautions()) diagnostics.warn(caution);
-  }
+  tell_of_heat(world, diagnostics);
   const auto products = clock.stage("write products", [&] {
     return write_products(result.images, context_of(scenario, diagnostics), options.output);
   });

@@ -313,13 +313,13 @@ HeatError HeatSolver::error(std::size_t cells) const {
   return result;
 }
 
-std::vector<std::string> HeatSolver::cautions() const {
+std::vector<std::string> HeatSolver::cautions(const std::vector<std::string>& names) const {
   std::vector<std::string> result;
   const std::string after = std::to_string(impl_->model.settings.spin_up_days) + " days of spin-up";
   for (std::size_t i = 0; i < impl_->materials.size(); ++i) {
     if (!impl_->materials[i]) continue;
     const Impl::SolvedMaterial& material = *impl_->materials[i];
-    const std::string name = "material " + std::to_string(i) + ": ";
+    const std::string name = "material " + (i < names.size() ? names[i] : std::to_string(i)) + ": ";
     const auto tell = [&](std::uint64_t some, std::uint64_t all, const std::string& what) {
       if (some == 0) return;
       result.push_back(name + std::to_string(some) + " of " + std::to_string(all) + what);

@@ -71,10 +71,11 @@ class HeatSolver {
   /// asked for directly so far, `cells` are taken, evenly in the order of materials and facets (all
   /// if there are fewer). Nothing that has been solved changes; counters do not count this.
   [[nodiscard]] HeatError error(std::size_t cells) const;
-  /// What of the temperatures is not what the model asks for, in words, with the material's index
-  /// and counts, in the order of materials: cells and level places that were held at a limit of
-  /// temperature, and those that do not repeat themselves at the end of spin-up.
-  [[nodiscard]] std::vector<std::string> cautions() const;
+  /// What of the temperatures is not what the model asks for, in words, with the material's name
+  /// (or index) and counts, in the order of materials: cells and level places that were held at a
+  /// limit of temperature, and those that do not repeat themselves at the end of spin-up.
+  /// @param names  of the materials, by index; empty: their indices are told
+  [[nodiscard]] std::vector<std::string> cautions(const std::vector<std::string>& names = {}) const;
   [[nodiscard]] const HeatModel& model() const noexcept;
 
  private:
