@@ -4,8 +4,8 @@
 
 #include "geometry/region.hpp"
 #include "materials/volume/bound_phase.hpp"
-#include "radiometry/volumes/grid_field.hpp"
 #include "radiometry/planck_table.hpp"
+#include "radiometry/volumes/grid_field.hpp"
 #include "radiometry/volumes/volume.hpp"
 #include "spectral/lanes.hpp"
 

@@ -48,7 +48,7 @@ bool is_whole(const AirRun& run, const AirRunSettings& settings) {
 }
 
 /// Runs as they are used: within the air, whole ways without an end.
-std::vector<AirRun> normalised(std::vector<AirRun> runs, const AirRunSettings& settings) {
+std::vector<AirRun> normalised_runs(std::vector<AirRun> runs, const AirRunSettings& settings) {
   for (AirRun& run : runs) {
     bring_to_top(run, settings);
     // 1 m: heights are written in km with three decimals.
@@ -93,7 +93,7 @@ double irradiance(const std::vector<double>& zenith, const std::vector<double>& 
 class TableOfRuns {
  public:
   TableOfRuns(const AirRunSet& set, const AirRunSettings& settings)
-      : set_{set}, settings_{settings}, runs_{normalised(set.runs, settings)} {}
+      : set_{set}, settings_{settings}, runs_{normalised_runs(set.runs, settings)} {}
 
   AirTable table() {
     start();

@@ -35,7 +35,7 @@ class Entries {
   std::map<std::string, Entry> values_;
 };
 
-std::string trimmed(const std::string& text) {
+std::string trimmed_text(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
@@ -66,22 +66,22 @@ Entries::Entries(const std::filesystem::path& file) : file_{file.string()} {
   std::ifstream stream{file};
   if (!stream) throw InputError{"cannot open the ENVI header " + file_};
   std::string line;
-  if (!std::getline(stream, line) || trimmed(line) != "ENVI") {
+  if (!std::getline(stream, line) || trimmed_text(line) != "ENVI") {
     throw InputError{
         InputIssue{{file_, 1, 1}, "an ENVI header starts with the line ENVI", {}, line}};
   }
   for (int number = 2; std::getline(stream, line); ++number) {
-    if (trimmed(line).empty()) continue;
+    if (trimmed_text(line).empty()) continue;
     const int first = number;
     const auto equals = line.find('=');
     if (equals == std::string::npos) {
       throw InputError{InputIssue{{file_, first, 1}, "expected keyword = value", {}, line}};
     }
-    std::string value = trimmed(line.substr(equals + 1));
+    std::string value = trimmed_text(line.substr(equals + 1));
     if (value.starts_with('{') && !complete_list(value, stream, number)) {
       throw InputError{InputIssue{{file_, first, 1}, "this brace is not closed", {}, line}};
     }
-    values_[trimmed(line.substr(0, equals))] = {value, first};
+    values_[trimmed_text(line.substr(0, equals))] = {value, first};
   }
 }
 
@@ -100,7 +100,7 @@ int Entries::integer(const std::string& key) const {
 std::vector<std::string> Entries::names(const std::string& key) const {
   std::vector<std::string> items;
   std::istringstream stream{text(key)};
-  for (std::string item; std::getline(stream, item, ',');) items.push_back(trimmed(item));
+  for (std::string item; std::getline(stream, item, ',');) items.push_back(trimmed_text(item));
   return items;
 }
 

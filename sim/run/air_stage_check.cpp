@@ -8,6 +8,7 @@
 #include "atmosphere/paths/spherical_path.hpp"
 #include "sim/plan/camera_plan.hpp"
 #include "sim/run/check_air_bodies.hpp"
+#include "sim/run/load_air.hpp"
 #include "spectral/coverage.hpp"
 
 namespace nadir::sim {
@@ -17,10 +18,6 @@ using atmosphere::AirTable;
 
 // A table's light is that of its ground's height: 100 m of height are 1 % of the air.
 constexpr double same_height_m = 100.0;
-
-[[noreturn]] void refuse(const SourceLocation& where, std::string message, std::string hint = {}) {
-  throw InputError{InputIssue{where, std::move(message), std::move(hint), {}}};
-}
 
 void require_cover(const spectral::Curve& curve, const spectral::Lanes& lanes,
                    const std::string& what) {
@@ -38,7 +35,7 @@ void check_camera(const Scenario& scenario, const geometry::Scene& scene, const 
   const Vec3 eye = camera.pose.position;
   const double height_m = height_above_sea_m(eye, ground_m);
   if (height_m < ground_m) {
-    refuse(
+    refuse_at(
         scenario.platform.where,
         fmt::format("the camera lies {:.1f} m below the height of the site, which is that of the "
                     "ground under the air",
@@ -46,15 +43,16 @@ void check_camera(const Scenario& scenario, const geometry::Scene& scene, const 
         "set the site's height to the lowest ground of the scene");
   }
   if (under_ground(scene, eye)) {
-    refuse(scenario.platform.where, "the camera lies inside the ground");
+    refuse_at(scenario.platform.where, "the camera lies inside the ground");
   }
 }
 
 void check_place(const AirTable& table, double site_height_m, const SourceLocation& where) {
   if (std::abs(table.ground_m - site_height_m) <= same_height_m) return;
-  refuse(where, fmt::format("the table of the air was made for ground {:.0f} m above the sea, the "
-                            "site lies at {:.0f} m",
-                            table.ground_m, site_height_m));
+  refuse_at(where,
+            fmt::format("the table of the air was made for ground {:.0f} m above the sea, the "
+                        "site lies at {:.0f} m",
+                        table.ground_m, site_height_m));
 }
 
 /// Eyes between a table's views get a blend of them, others the nearest view.

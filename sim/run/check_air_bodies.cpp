@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/run/load_air.hpp"
 #include "spectral/coverage.hpp"
 
 namespace nadir::sim {
@@ -19,10 +20,6 @@ constexpr double same_direction_deg = 0.5;
 // The scene's irradiance makes the direct light, the table's the sky: apart by no more than what
 // either is known to.
 constexpr double same_irradiance = 0.01;
-
-[[noreturn]] void refuse(const SourceLocation& where, std::string message, std::string hint = {}) {
-  throw InputError{InputIssue{where, std::move(message), std::move(hint), {}}};
-}
 
 Vec3 direction_of(const AirTable::Body& body) {
   const double level = std::sin(body.zenith_rad);
@@ -86,11 +83,12 @@ void check_irradiance(const AirTable& table, const AirTable::Body& known, const 
     of_scene = here;
   }
   if (at_um == 0.0) return;
-  refuse(where,
-         fmt::format("the table of the air was made for a {} of {:.4g} W m^-2 um^-1 at {:.4g} um "
-                     "outside the air; the scene's {} has {:.4g}",
-                     known.name, of_table, at_um, body.name, of_scene),
-         "the scene's irradiance must be the one that the table was made with");
+  refuse_at(
+      where,
+      fmt::format("the table of the air was made for a {} of {:.4g} W m^-2 um^-1 at {:.4g} um "
+                  "outside the air; the scene's {} has {:.4g}",
+                  known.name, of_table, at_um, body.name, of_scene),
+      "the scene's irradiance must be the one that the table was made with");
 }
 
 void check_body(const AirTable& table, const LightSource& body, const WavelengthRange& seen,
@@ -101,11 +99,11 @@ void check_body(const AirTable& table, const LightSource& body, const Wavelength
     return;
   }
   if (has_set(body)) return;
-  refuse(where,
-         fmt::format("the table of the air does not cover the {}'s place in the sky, {}: {}",
-                     body.name, place_text(body.direction_enu),
-                     known == nullptr ? std::string{"it holds no body's light"}
-                                      : "it was made for " + place_text(direction_of(*known))));
+  refuse_at(where,
+            fmt::format("the table of the air does not cover the {}'s place in the sky, {}: {}",
+                        body.name, place_text(body.direction_enu),
+                        known == nullptr ? std::string{"it holds no body's light"}
+                                         : "it was made for " + place_text(direction_of(*known))));
 }
 
 }  // namespace
@@ -121,9 +119,10 @@ void check_air_bodies(const AirTable& table, const ephemeris::Illumination& bodi
       return !dark(body) && same_place(towards, body.direction_enu);
     });
     if (there || !gives_light(known)) continue;
-    refuse(where, fmt::format("the table of the air holds the light of a {} at {}, where the scene "
-                              "has no body that shines",
-                              known.name, place_text(towards)));
+    refuse_at(where,
+              fmt::format("the table of the air holds the light of a {} at {}, where the scene "
+                          "has no body that shines",
+                          known.name, place_text(towards)));
   }
 }
 

@@ -24,7 +24,7 @@ using thermal::HeatMaterial;
 using thermal::HeatModel;
 using thermal::SurroundingSurface;
 
-constexpr double day_s = 86400.0;
+constexpr double seconds_of_day = 86400.0;
 /// A day's wave has fallen to exp(-4), 2 %, and what is below no longer matters.
 constexpr double deep_enough = 4.0;
 /// Less known of sunlight, or of a black body's radiance, is worth a word: spectra that end at 14
@@ -39,16 +39,17 @@ constexpr double days_alike = 10.0;
 /// From a day before objects first come or go, so that the days before that, which are those of
 /// the first 24 hours again, hold nothing that was not there.
 double since_changes_s(const Epochs& epochs) {
-  const double change_s = epochs.first_change_s(days_alike * day_s);
-  return change_s > 0.0 ? (std::ceil(change_s / day_s) + 1.0) * day_s : 0.0;
+  const double change_s = epochs.first_change_s(days_alike * seconds_of_day);
+  return change_s > 0.0 ? (std::ceil(change_s / seconds_of_day) + 1.0) * seconds_of_day : 0.0;
 }
 
 /// Where the sun stood at even steps up to the picture.
 thermal::SunTrack sun_track(const Scenario& scenario, double history_s, const Epochs& epochs) {
   thermal::SunTrack track;
   const HeatInput& heat = *scenario.heat;
-  const double own_s = history_s > days_alike * day_s ? history_s : day_s;
-  const double track_s = std::max({heat.shadow_days * day_s, own_s, since_changes_s(epochs)});
+  const double own_s = history_s > days_alike * seconds_of_day ? history_s : seconds_of_day;
+  const double track_s =
+      std::max({heat.shadow_days * seconds_of_day, own_s, since_changes_s(epochs)});
   const ephemeris::Site site{scenario.origin.latitude_deg, scenario.origin.longitude_deg,
                              scenario.origin.height_m};
   const double interval_s = heat.shadow_interval_s;
@@ -58,7 +59,7 @@ thermal::SunTrack sun_track(const Scenario& scenario, double history_s, const Ep
   for (int i = -count; i <= 0; ++i) {
     const double time_s = i * interval_s;
     const ephemeris::Instant moment = scenario.time + Seconds{time_s};
-    if (!pole || time_s - pole_s >= day_s) {  // it hardly moves within a day
+    if (!pole || time_s - pole_s >= seconds_of_day) {  // it hardly moves within a day
       pole = ephemeris::celestial_pole(moment.tt());
       pole_s = time_s;
     }
@@ -147,7 +148,7 @@ class HeatMaterials {
         layer.substance = find_substance(substances(), given.substance, given.where).substance;
       }
       const double deep_m =
-          deep_enough * thermal::damping_depth(layer.substance, Seconds{day_s}).value;
+          deep_enough * thermal::damping_depth(layer.substance, Seconds{seconds_of_day}).value;
       layer.thickness_m = given.thickness_m.value_or(deep_m);
       stack.layers.push_back(layer);
     }
@@ -202,11 +203,11 @@ SurroundingSurface seen_of(const materials::MaterialMap& map,
 
 double remembered_s(const std::vector<thermal::LayerStack>& stacks) {
   constexpr double longest_days = 5.0;  // older weather changes temperatures by tenths of a kelvin
-  double longest_s = day_s;
+  double longest_s = seconds_of_day;
   for (const auto& stack : stacks) {
     longest_s = std::max(longest_s, thermal::memory_of(stack).value);
   }
-  return std::min(longest_days, std::ceil(longest_s / day_s)) * day_s;
+  return std::min(longest_days, std::ceil(longest_s / seconds_of_day)) * seconds_of_day;
 }
 
 /// How much weather counts where the scenario does not say.
@@ -214,16 +215,16 @@ double history_for(const Scenario& scenario, const std::vector<thermal::LayerSta
                    InputFiles& files, Diagnostics& diagnostics) {
   const HeatInput& heat = *scenario.heat;
   // The days of a clear sky are much alike: the first one, repeated, stands for those before it.
-  if (std::holds_alternative<ClearSkyInput>(heat.weather)) return day_s;
+  if (std::holds_alternative<ClearSkyInput>(heat.weather)) return seconds_of_day;
   const double wanted_s = remembered_s(stacks);
-  const double days_there = std::floor(weather_reaches_back_s(scenario, files) / day_s);
-  if (days_there >= wanted_s / day_s) return wanted_s;
+  const double days_there = std::floor(weather_reaches_back_s(scenario, files) / seconds_of_day);
+  if (days_there >= wanted_s / seconds_of_day) return wanted_s;
   warn_at(heat.where,
           fmt::format("the layers remember {:.0f} days, the weather file reaches back {:.0f}: the "
                       "first 24 hours that it has stand for those before",
-                      wanted_s / day_s, days_there),
+                      wanted_s / seconds_of_day, days_there),
           diagnostics);
-  return std::max(days_there, 1.0) * day_s;
+  return std::max(days_there, 1.0) * seconds_of_day;
 }
 
 }  // namespace

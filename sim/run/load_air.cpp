@@ -47,9 +47,12 @@ atmosphere::Atmosphere air_from(const TableAir& air, InputFiles& files) {
 
 }  // namespace
 
+void refuse_at(const SourceLocation& where, std::string message, std::string hint) {
+  throw InputError{InputIssue{where, std::move(message), std::move(hint), {}}};
+}
+
 void warn_at(const SourceLocation& where, const std::string& message, Diagnostics& diagnostics) {
-  diagnostics.warn(
-      fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, message));
+  diagnostics.warn(fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, message));
 }
 
 void warn_of_bright_night(const Scenario& scenario, const ephemeris::Illumination& bodies,

@@ -55,6 +55,10 @@ auto at_element(const SourceLocation& where, F&& part) {
   }
 }
 
+/// @throws InputError at a place of the user's files
+[[noreturn]] void refuse_at(const SourceLocation& where, std::string message,
+                            std::string hint = {});
+
 /// Tells of what may be wrong at a place of the user's files, as a compiler would.
 void warn_at(const SourceLocation& where, const std::string& message, Diagnostics& diagnostics);
 

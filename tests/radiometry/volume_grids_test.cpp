@@ -3,8 +3,8 @@
 #include <limits>
 #include <string>
 
-#include "radiometry/volume_helpers.hpp"
 #include "radiometry/planck_table.hpp"
+#include "radiometry/volume_helpers.hpp"
 #include "support/quadrature.hpp"
 
 namespace nadir::radiometry {

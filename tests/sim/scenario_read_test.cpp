@@ -237,9 +237,9 @@ TEST_CASE("a material that nothing is made of is a warning with its place", "[sc
       test::replaced(test::minimal_text(), "</materials>",
                      "  <material name=\"spare\" emissivity=\"1\"/>\n  </materials>"),
       "somewhere/test.xml", diagnostics));
-  CHECK(diagnostics.messages() ==
-        std::vector<std::string>{
-            "somewhere/test.xml:10:5: no object is made of material \"spare\""});
+  CHECK(
+      diagnostics.messages() ==
+      std::vector<std::string>{"somewhere/test.xml:10:5: no object is made of material \"spare\""});
 }
 
 TEST_CASE("a material library lists its materials", "[scenario]") {

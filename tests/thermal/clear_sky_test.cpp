@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double hour_s = 3600.0, day_s = 86400.0;
+constexpr double hour_s = 3600.0;
 const double horizon = std::sin(-0.8333 * pi / 180.0);
 
 /// A sun that culminates at noon (0, 24 h, ...) and is above the horizon for so many hours; `sharp`
