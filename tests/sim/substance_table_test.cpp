@@ -148,9 +148,8 @@ TEST_CASE("moist soils lie between dry and saturated ones as water fills pores",
   const SubstanceTable table = read_substances(substances_file);
   for (const auto& [kind, share] : {std::pair{"soil_clay_", 0.699}, {"soil_sandy_", 0.789}}) {
     CAPTURE(kind);
-    const auto of = [&](const char* state) {
-      return table.at(kind + std::string{state}).substance;
-    };
+    const std::string name = kind;  // clang 14 does not capture the binding itself
+    const auto of = [&](const char* state) { return table.at(name + state).substance; };
     const auto dry = of("dry"), moist = of("moist"), wet = of("saturated");
     CHECK(moist.density_kg_m3 ==
           Approx(0.5 * (dry.density_kg_m3 + wet.density_kg_m3)).epsilon(0.01));
