@@ -39,14 +39,12 @@ void solve_heat_ahead(const World& world, std::uint64_t seed) {
 }
 
 void tell_of_heat(const World& world, Diagnostics& diagnostics) {
-  if (!world.heat) return;
   std::vector<std::string> names;
   for (const materials::Material& material : world.scene.materials) names.push_back(material.name);
   for (const std::string& caution : world.heat->cautions(names)) diagnostics.warn(caution);
 }
 
 ReportValues heat_report(const World& world) {
-  if (!world.heat) return {};
   constexpr std::size_t cells_for_error = 128;  // rms good to 6 %
   const thermal::HeatError error = world.heat->error(cells_for_error);
   const thermal::HeatCounters counters = world.heat->counters();

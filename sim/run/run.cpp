@@ -153,8 +153,10 @@ RunOutcome run_scenario(const RunOptions& options) {
                   diagnostics);
   });
   report.counters = counters_of(result.counters);
-  report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
-  tell_of_heat(world, diagnostics);
+  if (world.heat) {
+    report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
+    tell_of_heat(world, diagnostics);
+  }
   const auto products = clock.stage("write products", [&] {
     return write_products(result.images, context_of(scenario, diagnostics), options.output);
   });
