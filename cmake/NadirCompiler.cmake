@@ -28,12 +28,10 @@ endif()
 # Physics is compiled for exact IEEE results: no fast-math, and no contraction, so that the same
 # bytes come out of every x86-64 machine. -O3 vectorises the spectral loops.
 # Nobody reads errno after a square root, and loops with one vectorise without it.
-# Targets with NADIR_LIGHT are not worth the time that this takes; instrumented for the sanitizers
-# they take twice as long to compile with any optimisation as with none.
+# Targets with NADIR_LIGHT are not worth the time that this takes.
 set(light "$<BOOL:$<TARGET_PROPERTY:NADIR_LIGHT>>")
-set(light_level "$<IF:$<BOOL:${NADIR_SANITIZE}>,-O0,-O1>")
 target_compile_options(nadir_compiler INTERFACE
-  -ffp-contract=off -fno-math-errno $<$<CONFIG:Release>:$<IF:${light},${light_level},-O3>>)
+  -ffp-contract=off -fno-math-errno $<$<CONFIG:Release>:$<IF:${light},-O1,-O3>>)
 if(NADIR_SANITIZE)
   # Targets with NADIR_BARE (the tests) are linked with the sanitizers, but not instrumented: it is
   # the library that they watch, and instrumented macros of Catch take most of the time to compile.
