@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/frame.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
 namespace nadir::bench {

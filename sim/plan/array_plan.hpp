@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "spectral/band_quadrature.hpp"
 
 namespace nadir::sim {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "atmosphere/layered.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "sim/plan/array_plan.hpp"
 
 namespace nadir::sim {

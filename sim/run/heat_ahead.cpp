@@ -1,7 +1,7 @@
 #include "sim/run/heat_ahead.hpp"
 
 #include "core/random.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "sim/run/pixel.hpp"
 
 namespace nadir::sim {

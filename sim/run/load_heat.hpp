@@ -11,7 +11,7 @@
 #include "geometry/scene.hpp"
 #include "materials/maps/material_map.hpp"
 #include "materials/material.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "sim/run/epochs.hpp"
 #include "sim/run/input_files.hpp"
 #include "sim/scenario/scenario.hpp"

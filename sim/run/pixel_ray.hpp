@@ -4,7 +4,7 @@
 
 #include "atmosphere/paths/ray_bending.hpp"
 #include "geometry/scene.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 
 namespace nadir::sim {
 

@@ -6,19 +6,14 @@
 
 #include "radiometry/counters.hpp"
 #include "radiometry/lit_scene.hpp"
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 #include "sim/plan/camera_plan.hpp"
+#include "sim/run/camera.hpp"
 #include "sim/run/image.hpp"
 #include "sim/run/pixel_ray.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace nadir::sim {
-
-/// A camera ready to be pointed at a scene.
-struct Camera {
-  sensor::Pose pose;
-  std::vector<sensor::DetectorArray> arrays;
-};
 
 struct RenderOptions {
   SamplingInput sampling;

@@ -15,10 +15,13 @@
 #include "materials/solver_settings.hpp"
 #include "radiometry/method.hpp"
 #include "sim/scenario/air_input.hpp"
+#include "sim/scenario/camera_input.hpp"
 #include "sim/scenario/heat_input.hpp"
 #include "sim/scenario/lamp_input.hpp"
 #include "sim/scenario/material_input.hpp"
 #include "sim/scenario/placement_input.hpp"
+#include "sim/scenario/platform_input.hpp"
+#include "sim/scenario/results_input.hpp"
 #include "sim/scenario/spectral_input.hpp"
 #include "sim/scenario/volume_input.hpp"
 
@@ -92,72 +95,6 @@ struct InstancesInput {
   PresenceInput presence{};
 };
 using GeometryInput = std::variant<TerrainInput, ObjectInput, InstancesInput>;
-
-// ---- sensor -----------------------------------------------------------------------------------
-
-struct LookAtInput {
-  std::variant<geometry::Geodetic, Vec3> target;
-  bool on_terrain = false;
-  double roll_deg = 0.0;  ///< clockwise about the line of sight; 0: image top as high as it goes
-};
-/// Yaw clockwise from north, pitch up from the horizon (-90: straight down), roll right side down.
-struct EulerInput {
-  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
-};
-struct PlatformInput {
-  using LookAt = LookAtInput;
-  using Euler = EulerInput;
-  std::variant<geometry::Geodetic, Vec3> position;  ///< geodetic, or local east, north, up in m
-  bool on_terrain = false;                          ///< local up counts from the terrain
-  std::variant<LookAt, Euler> attitude;
-  SourceLocation where{};
-};
-
-struct BoxBand {
-  double lo_um = 0.0, hi_um = 0.0;
-};
-struct GaussianBand {
-  double centre_um = 0.0, fwhm_um = 0.0;
-};
-struct TabulatedBand {
-  std::filesystem::path file;
-  std::string column;
-};
-struct BandInput {
-  std::string name;
-  std::variant<BoxBand, GaussianBand, TabulatedBand> response;
-};
-
-struct ArrayInput {
-  std::string name;
-  int samples = 0, lines = 0;  ///< columns and rows of the detector
-  double pitch_um = 0.0;       ///< perspective: centre to centre on the focal plane
-  double offset_x_um = 0.0, offset_y_um = 0.0;  ///< of the array's centre on the focal plane
-  double ground_pitch_m = 0.0;                  ///< orthographic: centre to centre across the beam
-  double offset_x_m = 0.0, offset_y_m = 0.0;    ///< orthographic: of the array's centre
-  std::vector<BandInput> bands;
-};
-
-struct CameraInput {
-  bool orthographic = false;
-  double focal_length_mm = 0.0;  ///< perspective only
-  std::vector<ArrayInput> arrays;
-};
-
-// ---- work and results -------------------------------------------------------------------------
-
-struct SamplingInput {
-  int replicates = 4;             ///< independent scramblings that yield the standard error, >= 4
-  int samples_per_replicate = 2;  ///< paths per pixel and replicate
-  int wavelengths_per_band = 4;   ///< nodes of each band's Gauss quadrature
-};
-
-struct ProductsInput {
-  bool envi = true, exr = true, quick_look = true, truth = true;
-  bool truth_temperature = false;  ///< solve heat for the truth plane even if no band sees it
-  std::vector<std::string>
-      quick_look_bands;  ///< red, green, blue, or one; empty: chosen for the user
-};
 
 struct Scenario {
   std::filesystem::path file;

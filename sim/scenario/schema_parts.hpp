@@ -69,6 +69,8 @@ inline NumberType full_turn() { return from_to(-360.0, 360.0); }
 [[nodiscard]] std::vector<Attribute> scene_placement();
 [[nodiscard]] std::vector<ElementType> schema_of_volumes();
 [[nodiscard]] std::vector<ElementType> schema_of_lamps();
-[[nodiscard]] std::vector<ElementType> schema_of_sensor();
+[[nodiscard]] std::vector<ElementType> schema_of_platform();
+[[nodiscard]] std::vector<ElementType> schema_of_camera();
+[[nodiscard]] std::vector<ElementType> schema_of_results();
 
 }  // namespace nadir::sim

@@ -1,4 +1,4 @@
-#include "sensor/detector_array.hpp"
+#include "sensor/camera/detector_array.hpp"
 
 namespace nadir::sensor {
 

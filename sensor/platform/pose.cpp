@@ -1,4 +1,4 @@
-#include "sensor/pose.hpp"
+#include "sensor/platform/pose.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sensor/camera/detector_array.hpp"
+#include "sensor/detector/detector.hpp"
+
+namespace nadir::sensor {
+
+/// Back to radiance: L = gain DN + offset, W m^-2 sr^-1 um^-1.
+struct Calibration {
+  double gain = 1.0, offset = 0.0;
+};
+
+/// From a band's radiance at the aperture to digital numbers: focal-plane irradiance, electrons,
+/// noise, full well, conversion. All linear parts are folded into a few numbers beforehand.
+///
+/// Lines must come in order (stripes have a memory); the numbers of a pixel depend on (seed,
+/// pixel) alone.
+class SignalChain {
+ public:
+  /// @throws InputError for figures out of range
+  SignalChain(const DetectorArray& array, std::size_t band, const Detector& detector,
+              std::uint64_t noise_seed);
+
+  struct Line {
+    std::span<std::uint16_t> dn;
+    std::span<float> electrons;  ///< noise-free signal, without dark and background; may be empty
+    std::span<float> noise;      ///< sigma of the sensor's own noise, as radiance; may be empty
+  };
+  /// One line of the image. @param radiance  one a sample; not finite gives DN 0
+  void expose(std::span<const float> radiance, const Line& out);
+
+  [[nodiscard]] Calibration calibration() const noexcept;
+  /// Standard deviation of the noise that changes from image to image (shot, dark, read, stripes,
+  /// quantisation) at a radiance, on the axis; as radiance.
+  [[nodiscard]] double noise_equivalent_radiance(double radiance) const noexcept;
+  /// Electrons per unit of radiance on the axis; 0 where only noise is published.
+  [[nodiscard]] double electrons_per_radiance() const noexcept;
+  [[nodiscard]] double background_electrons() const noexcept;  ///< dark and the optics' own light
+  /// Radiance that fills the well or the converter's range, whichever is less.
+  [[nodiscard]] double saturation_radiance() const noexcept;
+
+ private:
+  // The author of this class arranges its state.
+};
+
+}  // namespace nadir::sensor

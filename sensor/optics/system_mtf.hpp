@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sensor/camera/detector_array.hpp"
+#include "sensor/platform/platform.hpp"
+
+namespace nadir::sensor {
+
+/// One factor of a system's modulation transfer along one axis of the image.
+struct MtfTerm {
+  std::string name;            ///< "diffraction", "detector", "smear", ...
+  std::vector<double> values;  ///< one a frequency
+};
+
+/// Modulation transfer of a band at frequencies in cycles per pixel, along the lines' direction
+/// (across: samples) or across them (along: lines). Every term that the renderer samples, each by
+/// its closed form: optics, stray light, detector area, motion in the exposure, bolometer's lag,
+/// jitter, time-delay integration that does not match the motion.
+/// @param motion_px  how far the ground's image moves during the exposure (pushbroom: and from
+///                   stage to stage), along this axis, in pixels
+struct MtfQuestion {
+  std::size_t band = 0;
+  bool along = false;            ///< along the lines' sequence (y) instead of x
+  double motion_px_per_s = 0.0;  ///< of the ground's image along this axis
+};
+struct SystemMtf {
+  std::vector<double> cycles_per_pixel;
+  std::vector<MtfTerm> terms;  ///< those that the array has
+  std::vector<double> total;   ///< their product
+};
+[[nodiscard]] SystemMtf system_mtf(const DetectorArray& array, const Platform& platform,
+                                   const MtfQuestion& question,
+                                   const std::vector<double>& cycles_per_pixel);
+
+}  // namespace nadir::sensor
