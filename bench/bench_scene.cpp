@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/frame.hpp"
-#include "sensor/camera/detector_array.hpp"
+#include "sensor/camera/path_view.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
 namespace nadir::bench {
@@ -25,7 +25,8 @@ std::vector<PixelPath> pixel_paths(const sim::Camera& camera) {
         const Sampler numbers{mix(1, pixel), 0};
         const Vec2 inside = numbers.point(pixel_area);
         paths.push_back(
-            {sensor::view_ray(array, camera.pose, sample + inside.x, line + inside.y), numbers});
+            {sensor::image_view(array, camera.platform, {sample + inside.x, line + inside.y}).ray,
+             numbers});
       }
     }
   };

@@ -68,12 +68,18 @@ struct DetectorArray {
 /// only the part beyond the whole number counts, from its middle.
 [[nodiscard]] Vec2 focal_place(const DetectorArray& array, Vec2 image) noexcept;
 
-/// Unit line of sight in camera axes through a place of the focal plane (not for view tables).
+/// Unit line of sight in camera axes through a place of the focal plane.
 [[nodiscard]] Vec3 camera_direction(const DetectorArray& array, Vec2 focal_m) noexcept;
 
-/// @throws InputError for what cannot be: modules that overlap or leave gaps, a pushbroom with a
-///         frame's distortion that folds, an exposure longer than the line's period, lag and
-///         exposure together, time-delay integration without a pushbroom, ...
+/// @throws InputError for what cannot be: modules that overlap or leave gaps, a distortion that
+///         folds within the array's pixels, an exposure longer than the line's period, lag and
+///         exposure together, time-delay integration without a pushbroom, a view table of another
+///         size, ...
 void check(const DetectorArray& array);
+
+/// Arrays that lie side by side on one focal plane (not those behind lenses or filters of their
+/// own).
+/// @throws InputError where two of them overlap by more than a tenth of a pixel
+void check_apart(const std::vector<DetectorArray>& arrays);
 
 }  // namespace nadir::sensor

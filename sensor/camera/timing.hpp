@@ -41,10 +41,15 @@ struct Timing {
   bool tdi_reversed = false;
 };
 
+/// Lag reaches back so many time constants and no further: what came before them weighs
+/// exp(-12) = 6e-6 of all, and is taken at that age.
+inline constexpr double most_lags = 12.0;
+
 /// The first and the last moment that an array of so many samples and lines can ask for.
 struct TimeSpan {
   double first_s = 0.0, last_s = 0.0;
 };
+/// @param samples, lines  of the image
 [[nodiscard]] TimeSpan span(const Timing& timing, int samples, int lines) noexcept;
 
 }  // namespace nadir::sensor

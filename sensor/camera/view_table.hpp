@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -16,8 +17,13 @@ struct ViewTable {
 };
 
 /// Unit line of sight at a place of the image; beyond the outermost nodes the outermost cells go
-/// on.
+/// on. A table of one line has no y of its own: places off its middle, y = 0.5, lie square to it,
+/// in steps as wide as those from sample to sample.
 [[nodiscard]] Vec3 direction(const ViewTable& table, Vec2 image) noexcept;
+
+/// The place of the image that looks along a unit direction: undoes `direction` to 1e-9 pixel.
+/// None where it finds none: behind, or beyond where the outermost cells can go on.
+[[nodiscard]] std::optional<Vec2> place_of(const ViewTable& table, Vec3 towards);
 
 /// @throws InputError for sizes that do not fit, directions that are not finite or of no length,
 ///         neighbours more than 10 degrees apart

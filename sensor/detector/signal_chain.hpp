@@ -7,6 +7,7 @@
 
 #include "sensor/camera/detector_array.hpp"
 #include "sensor/detector/detector.hpp"
+#include "sensor/detector/fixed_pattern.hpp"
 
 namespace nadir::sensor {
 
@@ -45,7 +46,45 @@ class SignalChain {
   [[nodiscard]] double saturation_radiance() const noexcept;
 
  private:
-  // The author of this class arranges its state.
+  /// Photo-electrons, all linear parts folded together.
+  struct Photons {
+    double per_radiance = 0.0;  ///< electrons on the axis
+    double background = 0.0;    ///< electrons of the optics' own light
+    double dark = 0.0;          ///< electrons
+    double read = 0.0, stripe = 0.0, stripe_memory = 0.0;
+    double full_well = 0.0;
+    double dn_per_electron = 0.0;
+  };
+  /// Published noise: radiance per DN, and the variance's two terms.
+  struct Published {
+    double radiance_per_dn = 0.0;
+    double constant = 0.0, slope = 0.0;
+  };
+  struct Pixel {
+    double dn = 0.0, electrons = 0.0, noise = 0.0;
+  };
+
+  using Element = std::variant<Photons, Published>;
+
+  [[nodiscard]] static Photons folded(const DetectorArray& array, std::size_t band,
+                                      const Detector& detector);
+  [[nodiscard]] static Element element_of(const DetectorArray& array, std::size_t band,
+                                          const Detector& detector);
+  [[nodiscard]] Pixel pixel(const Photons& photons, double radiance, std::size_t sample) const;
+  [[nodiscard]] Pixel pixel(const Published& published, double radiance, std::size_t sample) const;
+  [[nodiscard]] double sigma(const Photons& photons, double radiance, double falloff) const;
+  [[nodiscard]] double sigma(const Published& published, double radiance, double falloff) const;
+  [[nodiscard]] double digitised(double dn) const noexcept;
+  void next_line();
+
+  Element element_;
+  double black_dn_ = 0.0, top_dn_ = 0.0;
+  bool flat_ = true;
+  FixedPattern pattern_;
+  FallOff falloff_;
+  std::uint64_t noise_key_, line_key_ = 0;
+  int line_ = -1;        ///< the current one
+  double stripe_ = 0.0;  ///< of the current line, electrons
 };
 
 }  // namespace nadir::sensor

@@ -15,22 +15,22 @@ struct MtfTerm {
   std::vector<double> values;  ///< one a frequency
 };
 
-/// Modulation transfer of a band at frequencies in cycles per pixel, along the lines' direction
-/// (across: samples) or across them (along: lines). Every term that the renderer samples, each by
-/// its closed form: optics, stray light, detector area, motion in the exposure, bolometer's lag,
-/// jitter, time-delay integration that does not match the motion.
-/// @param motion_px  how far the ground's image moves during the exposure (pushbroom: and from
-///                   stage to stage), along this axis, in pixels
+/// Which modulation transfer is asked for.
 struct MtfQuestion {
   std::size_t band = 0;
-  bool along = false;            ///< along the lines' sequence (y) instead of x
-  double motion_px_per_s = 0.0;  ///< of the ground's image along this axis
+  bool along = false;  ///< along the lines' sequence (y) instead of x
+  /// Of the ground's image along this axis, from + to -: a pushbroom whose lines fit the motion has
+  /// 1 / line period along y.
+  double motion_px_per_s = 0.0;
 };
 struct SystemMtf {
   std::vector<double> cycles_per_pixel;
   std::vector<MtfTerm> terms;  ///< those that the array has
   std::vector<double> total;   ///< their product
 };
+/// Modulation transfer of a band at frequencies in cycles per pixel. Every term that the renderer
+/// samples, each by its closed form: optics, stray light, detector area, motion in the exposure,
+/// bolometer's lag, jitter, time-delay integration that does not match the motion.
 [[nodiscard]] SystemMtf system_mtf(const DetectorArray& array, const Platform& platform,
                                    const MtfQuestion& question,
                                    const std::vector<double>& cycles_per_pixel);

@@ -48,4 +48,9 @@ class Sgp4 {
   std::unique_ptr<const Model> model_;
 };
 
+/// The same at a moment, whose UT1 - UTC counts.
+/// @return ECEF, m and m/s over the turning earth
+/// @throws PropagationError as `teme_km`
+[[nodiscard]] StateVector orbit_state(const Sgp4& orbit, const ephemeris::Instant& time);
+
 }  // namespace nadir::sensor

@@ -36,7 +36,9 @@ struct LookAtAttitude {
 };
 
 /// Follows the way: z down or as near to it as the way allows, y along the way, so that lines come
-/// in the order of time; x completes them (to the left of the way... see docs/platforms.md).
+/// in the order of time. x = y cross z points to the LEFT of the way seen from above (way north, z
+/// down: x west), as it must in an image that is not mirrored: samples increase to the left, and
+/// on a descending orbit, southwards, to the east.
 struct TrackAttitude {
   enum class Aim {
     nadir,    ///< z exactly along the ellipsoid's normal, downwards; y the way's horizontal part
@@ -44,8 +46,10 @@ struct TrackAttitude {
   };
   Aim aim = Aim::nadir;
   bool inertial = false;  ///< the way among the stars, not over the turning earth (no yaw steering)
-  /// Further turns, about the axes that the former ones leave: yaw about z, pitch about x (raises
-  /// the line of sight towards the way ahead), roll about y (turns it to the platform's right).
+  /// Further turns, each about the axes that the former ones leave: yaw about z (the image's lower
+  /// edge turns right, clockwise seen from above), pitch about x (raises the line of sight towards
+  /// the way ahead), roll about y (turns the line of sight to the right of the way, seen by
+  /// somebody who looks ahead with the head up: the left wing goes down).
   Angle yaw{0.0}, pitch{0.0}, roll{0.0};
 };
 
@@ -60,14 +64,21 @@ using Attitude = std::variant<EulerAttitude, LookAtAttitude, TrackAttitude, Tabu
 
 /// Columns: the platform's axes, in scene axes. Exact, not fast: Platform tabulates it.
 /// @param frame  of the scene
+/// @param attitude  as `checked` returns it
 /// @throws InputError where the law means nothing there: target at the platform, no way to follow,
 ///         a time outside the table
 [[nodiscard]] Mat3 axes(const Attitude& attitude, const geometry::LocalFrame& frame,
                         const TrackState& state, double time_s);
 
+/// Whether an attitude is the same at all times for a platform that stands still.
+[[nodiscard]] bool is_constant(const Attitude& attitude) noexcept;
+
+/// Columns: the earth's axes (ECEF) in scene axes.
+[[nodiscard]] Mat3 earth_axes(const geometry::LocalFrame& frame);
+
 /// Checks what can be checked without a track; makes the signs of a table continuous.
 /// @throws InputError for tables that are not: times, sizes, quaternions that are not of length 1
-///         within 1e-3, neighbours more than 90 degrees apart (a gap)
+///         within 1e-3, neighbours more than 90 degrees apart (a gap), angles that are not finite
 [[nodiscard]] Attitude checked(Attitude attitude);
 
 }  // namespace nadir::sensor

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
+#include <type_traits>
 
 #include "core/error.hpp"
 #include "sim/files/envi.hpp"
@@ -126,6 +128,8 @@ EnviHeader header_from(const Entries& entries) {
   header.wavelength_um = entries.numbers("wavelength");
   header.fwhm_um = entries.numbers("fwhm");
   header.class_names = entries.names("class names");
+  header.gains = entries.numbers("data gain values");
+  header.offsets = entries.numbers("data offset values");
   header.nan_is_no_data = entries.text("data ignore value") == "nan";
   return header;
 }
@@ -145,46 +149,137 @@ void check_layout(const Entries& entries) {
   }
 }
 
+EnviType type_from(const Entries& entries) {
+  const int type = entries.integer("data type");
+  for (const EnviType known :
+       {EnviType::float32, EnviType::float64, EnviType::uint16, EnviType::uint32}) {
+    if (type == static_cast<int>(known)) return known;
+  }
+  entries.fail("data type",
+               "data type must be 4 (float32), 5 (float64), 12 (uint16) or 13 (uint32)");
+}
+
+constexpr std::uint64_t value_bytes(EnviType type) {
+  return type == EnviType::float64 ? 8 : type == EnviType::uint16 ? 2 : 4;
+}
+
 template <class T>
-std::vector<std::vector<T>> read_planes(const std::filesystem::path& image, std::size_t pixels,
-                                        std::size_t bands) {
-  std::ifstream stream{image, std::ios::binary};
-  if (!stream) throw InputError{"cannot open the ENVI image " + image.string()};
-  const auto expected = bands * pixels * sizeof(T);
+constexpr bool holds(EnviType type) {
+  switch (type) {
+    case EnviType::float32:
+      return std::is_same_v<T, float>;
+    case EnviType::float64:
+      return std::is_same_v<T, double>;
+    case EnviType::uint16:
+      return std::is_same_v<T, std::uint16_t>;
+    case EnviType::uint32:
+      return std::is_same_v<T, std::uint32_t>;
+  }
+  return false;
+}
+
+}  // namespace
+
+struct EnviReader::State {
+  std::filesystem::path path;
+  EnviHeader header;
+  EnviType type = EnviType::float32;
+  std::size_t planes = 0;
+  std::ifstream stream;
+
+  [[nodiscard]] std::uint64_t samples() const { return static_cast<std::uint64_t>(header.samples); }
+  [[nodiscard]] std::uint64_t lines() const { return static_cast<std::uint64_t>(header.lines); }
+};
+
+EnviReader::EnviReader(const std::filesystem::path& image) : state_{std::make_unique<State>()} {
+  State& s = *state_;
+  const Entries entries{envi_header_of(image)};
+  check_layout(entries);
+  s.path = image;
+  s.header = header_from(entries);
+  s.planes = static_cast<std::size_t>(entries.integer("bands"));
+  s.type = type_from(entries);
+  s.stream.open(image, std::ios::binary);
+  if (!s.stream) throw InputError{"cannot open the ENVI image " + image.string()};
+  const std::uint64_t expected = s.planes * s.samples() * s.lines() * value_bytes(s.type);
   const auto found = std::filesystem::file_size(image);
   if (found != expected) {
     throw InputError{
         fmt::format("{} has {} bytes, its header promises {}", image.string(), found, expected)};
   }
-  std::vector<std::vector<T>> planes(bands, std::vector<T>(pixels));
-  for (auto& plane : planes) {
-    stream.read(reinterpret_cast<char*>(plane.data()),
-                static_cast<std::streamsize>(pixels * sizeof(T)));
+}
+
+EnviReader::~EnviReader() = default;
+EnviReader::EnviReader(EnviReader&&) noexcept = default;
+EnviReader& EnviReader::operator=(EnviReader&&) noexcept = default;
+
+const EnviHeader& EnviReader::header() const noexcept { return state_->header; }
+EnviType EnviReader::type() const noexcept { return state_->type; }
+std::size_t EnviReader::planes() const noexcept { return state_->planes; }
+
+template <class T>
+void EnviReader::read_lines(std::size_t plane, int first_line, std::span<T> room) {
+  State& s = *state_;
+  if (!holds<T>(s.type)) {
+    throw std::invalid_argument(s.path.string() + " holds numbers of another type");
   }
-  if (!stream) throw InputError{"cannot read the ENVI image " + image.string()};
+  const auto first = static_cast<std::uint64_t>(first_line);
+  if (first_line < 0 || plane >= s.planes || room.size() % s.samples() != 0 ||
+      first + room.size() / s.samples() > s.lines()) {
+    throw std::invalid_argument(fmt::format("{} has no lines from {} on for {} values of plane {}",
+                                            s.path.string(), first_line, room.size(), plane));
+  }
+  const std::uint64_t place = (plane * s.lines() + first) * s.samples() * sizeof(T);
+  s.stream.seekg(static_cast<std::streamoff>(place));
+  s.stream.read(reinterpret_cast<char*>(room.data()),
+                static_cast<std::streamsize>(room.size_bytes()));
+  if (!s.stream) throw InputError{"cannot read the ENVI image " + s.path.string()};
+}
+
+void EnviReader::read(std::size_t plane, int first_line, std::span<float> room) {
+  read_lines(plane, first_line, room);
+}
+void EnviReader::read(std::size_t plane, int first_line, std::span<double> room) {
+  read_lines(plane, first_line, room);
+}
+void EnviReader::read(std::size_t plane, int first_line, std::span<std::uint16_t> room) {
+  read_lines(plane, first_line, room);
+}
+void EnviReader::read(std::size_t plane, int first_line, std::span<std::uint32_t> room) {
+  read_lines(plane, first_line, room);
+}
+
+namespace {
+
+template <class T>
+std::vector<std::vector<T>> whole_planes(EnviReader& reader) {
+  const auto pixels = static_cast<std::size_t>(reader.header().samples) *
+                      static_cast<std::size_t>(reader.header().lines);
+  std::vector<std::vector<T>> planes(reader.planes(), std::vector<T>(pixels));
+  for (std::size_t i = 0; i < planes.size(); ++i) reader.read(i, 0, std::span{planes[i]});
   return planes;
+}
+
+EnviPlanes whole_planes(EnviReader& reader) {
+  switch (reader.type()) {
+    case EnviType::float64:
+      return whole_planes<double>(reader);
+    case EnviType::uint16:
+      return whole_planes<std::uint16_t>(reader);
+    case EnviType::uint32:
+      return whole_planes<std::uint32_t>(reader);
+    case EnviType::float32:
+      break;
+  }
+  return whole_planes<float>(reader);
 }
 
 }  // namespace
 
 EnviImage read_envi(const std::filesystem::path& image) {
-  const Entries entries{envi_header_of(image)};
-  check_layout(entries);
-  EnviImage result{header_from(entries), {}};
-  const auto pixels = static_cast<std::size_t>(result.header.samples) *
-                      static_cast<std::size_t>(result.header.lines);
-  const auto bands = static_cast<std::size_t>(entries.integer("bands"));
-  switch (entries.integer("data type")) {
-    case 4:
-      result.planes = read_planes<float>(image, pixels, bands);
-      break;
-    case 13:
-      result.planes = read_planes<std::uint32_t>(image, pixels, bands);
-      break;
-    default:
-      entries.fail("data type", "data type must be 4 (float32) or 13 (uint32)");
-  }
-  return result;
+  EnviReader reader{image};
+  EnviPlanes planes = whole_planes(reader);
+  return {reader.header(), std::move(planes)};
 }
 
 }  // namespace nadir::sim

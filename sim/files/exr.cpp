@@ -1,5 +1,6 @@
 #include "sim/files/exr.hpp"
 
+#include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfCompression.h>
 #include <ImfFloatVectorAttribute.h>
@@ -12,6 +13,7 @@
 #include <ImfStringVectorAttribute.h>
 
 #include <exception>
+#include <optional>
 #include <stdexcept>
 
 #include "sim/files/atomic_file.hpp"
@@ -64,68 +66,116 @@ void insert(Imf::Header& header, const std::string& name, const ExrAttribute& at
 }
 
 struct Plane {
-  Imf::PixelType type;
-  const void* data;
-  std::size_t count;
+  const void* data = nullptr;
+  std::size_t count = 0;
 };
 
-Plane plane_of(const ExrChannel& channel) {
-  return std::visit(Overloaded{[](std::span<const float> v) {
-                                 return Plane{Imf::FLOAT, v.data(), v.size()};
-                               },
-                               [](std::span<const std::uint32_t> v) {
-                                 return Plane{Imf::UINT, v.data(), v.size()};
-                               }},
-                    channel.values);
+Plane plane_of(const ExrValues& values) {
+  return std::visit([](auto span) { return Plane{span.data(), span.size()}; }, values);
 }
 
-/// OpenEXR wants a pointer that it may write to even for output; it only reads.
-Imf::Slice slice_of(const Plane& plane, int samples) {
-  constexpr std::size_t value_bytes = 4;
-  return {plane.type, static_cast<char*>(const_cast<void*>(plane.data)), value_bytes,
-          value_bytes * static_cast<std::size_t>(samples)};
-}
+Imf::PixelType pixel_type(bool ids) { return ids ? Imf::UINT : Imf::FLOAT; }
 
-void check(const ExrImage& image) {
-  if (image.samples < 1 || image.lines < 1 || image.channels.empty()) {
+Imf::Header header_of(const ExrWriter::Layout& layout) {
+  if (layout.samples < 1 || layout.lines < 1 || layout.channels.empty()) {
     throw std::invalid_argument("an EXR image needs at least one sample, line and channel");
   }
-  const auto pixels =
-      static_cast<std::size_t>(image.samples) * static_cast<std::size_t>(image.lines);
-  for (const ExrChannel& channel : image.channels) {
-    if (plane_of(channel).count != pixels) {
-      throw std::invalid_argument("the EXR channel " + channel.name + " has the wrong size");
+  Imf::Header header{layout.samples, layout.lines};
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [name, attribute] : layout.attributes) insert(header, name, attribute);
+  for (const auto& [name, ids] : layout.channels) {
+    if (header.channels().findChannel(name) != nullptr) {
+      throw std::invalid_argument("two EXR channels are named " + name);
     }
+    header.channels().insert(name, Imf::Channel{pixel_type(ids)});
   }
+  return header;
 }
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& file, const ExrImage& image) {
-  check(image);
-  Imf::Header header{image.samples, image.lines};
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [name, attribute] : image.attributes) insert(header, name, attribute);
-
-  Imf::FrameBuffer frame;
-  for (const ExrChannel& channel : image.channels) {
-    if (header.channels().findChannel(channel.name) != nullptr) {
-      throw std::invalid_argument("two EXR channels are named " + channel.name);
-    }
-    const Plane plane = plane_of(channel);
-    header.channels().insert(channel.name, Imf::Channel{plane.type});
-    frame.insert(channel.name, slice_of(plane, image.samples));
+struct ExrWriter::State {
+  State(const std::filesystem::path& path, const Layout& l)
+      : header{header_of(l)}, layout{l}, target{path}, stream{target} {
+    output.emplace(stream, header);
   }
 
-  AtomicFile target{file};
-  AtomicStream stream{target};
-  {
-    Imf::OutputFile output{stream, header};
-    output.setFrameBuffer(frame);
-    output.writePixels(image.lines);
-  }  // the line table is written when `output` closes
-  stream.rethrow_failure();
-  target.commit();
+  /// Lines in a channel's strip. @throws std::invalid_argument for what is not its next lines
+  [[nodiscard]] int lines_of(std::size_t channel, const ExrValues& values) const {
+    const ExrChannelKind& kind = layout.channels[channel];
+    const auto samples = static_cast<std::size_t>(layout.samples);
+    const std::size_t count = plane_of(values).count;
+    const auto left = static_cast<std::size_t>(layout.lines - next_line);
+    const bool fits = count % samples == 0 && count / samples <= left;
+    if (!fits || kind.ids != std::holds_alternative<std::span<const std::uint32_t>>(values)) {
+      throw std::invalid_argument("the EXR channel " + kind.name + " has the wrong size");
+    }
+    return static_cast<int>(count / samples);
+  }
+
+  Imf::Header header;
+  Layout layout;
+  AtomicFile target;
+  AtomicStream stream;
+  std::optional<Imf::OutputFile> output;
+  int next_line = 0;
+};
+
+ExrWriter::ExrWriter(const std::filesystem::path& file, const Layout& layout)
+    : state_{std::make_unique<State>(file, layout)} {}
+
+ExrWriter::~ExrWriter() = default;
+
+void ExrWriter::write(const std::vector<ExrValues>& strip) {
+  State& s = *state_;
+  if (strip.size() != s.layout.channels.size()) {
+    throw std::invalid_argument("an EXR strip has not the file's channels");
+  }
+  const int lines = s.lines_of(0, strip[0]);
+  if (lines == 0) return;
+  const Imath::Box2i window{{0, s.next_line}, {s.layout.samples - 1, s.next_line + lines - 1}};
+  Imf::FrameBuffer frame;
+  for (std::size_t i = 0; i < strip.size(); ++i) {
+    const auto& [name, ids] = s.layout.channels[i];
+    if (s.lines_of(i, strip[i]) != lines) {
+      throw std::invalid_argument("the EXR channel " + name + " has the wrong size");
+    }
+    // OpenEXR wants a pointer that it may write to even for output; it only reads.
+    void* data = const_cast<void*>(plane_of(strip[i]).data);
+    frame.insert(name, Imf::Slice::Make(pixel_type(ids), data, window));
+  }
+  s.output->setFrameBuffer(frame);
+  s.output->writePixels(lines);
+  s.next_line += lines;
+}
+
+void ExrWriter::commit() {
+  State& s = *state_;
+  if (s.next_line != s.layout.lines) {
+    throw std::logic_error(s.target.destination().string() + " has " + std::to_string(s.next_line) +
+                           " of " + std::to_string(s.layout.lines) + " lines");
+  }
+  s.output.reset();  // writes the table of lines
+  s.stream.rethrow_failure();
+  s.target.commit();
+}
+
+void write_exr(const std::filesystem::path& file, const ExrImage& image) {
+  ExrWriter::Layout layout{image.samples, image.lines, {}, image.attributes};
+  std::vector<ExrValues> values;
+  const auto pixels =
+      static_cast<std::size_t>(image.samples) * static_cast<std::size_t>(image.lines);
+  for (const ExrChannel& channel : image.channels) {
+    if (plane_of(channel.values).count != pixels) {
+      throw std::invalid_argument("the EXR channel " + channel.name + " has the wrong size");
+    }
+    layout.channels.push_back(
+        {channel.name, std::holds_alternative<std::span<const std::uint32_t>>(channel.values)});
+    values.push_back(channel.values);
+  }
+  ExrWriter writer{file, layout};
+  writer.write(values);
+  writer.commit();
 }
 
 }  // namespace nadir::sim

@@ -25,26 +25,31 @@ NumberTable::NumberTable(std::string_view text, const std::string& name,
 }
 
 /// The cells of the next line that holds any; none at the end.
-NumberTable::Cells NumberTable::next_row(std::string_view& rest, int& line) const {
+NumberTable::Cells NumberTable::next_row(std::string_view& rest, int& line) {
   while (!rest.empty()) {
     const std::string_view whole = take_line(rest);
     ++line;
     const std::string_view content = without_blanks(whole);
     if (content.empty() || content.front() == '#') continue;
-    Cells cells;
-    for (std::size_t begin = 0; begin <= whole.size();) {
-      const std::size_t end = std::min(whole.find(',', begin), whole.size());
-      std::string_view text = without_blanks(whole.substr(begin, end - begin));
-      if (text.empty()) text = whole.substr(begin, 0);  // keeps its place
-      cells.push_back({text, whole, line});
-      begin = end + 1;
-    }
-    return cells;
+    return cells_of(whole, line);
   }
   return {};
 }
 
+NumberTable::Cells NumberTable::cells_of(std::string_view whole, int line) {
+  Cells cells;
+  for (std::size_t begin = 0; begin <= whole.size();) {
+    const std::size_t end = std::min(whole.find(',', begin), whole.size());
+    std::string_view text = without_blanks(whole.substr(begin, end - begin));
+    if (text.empty()) text = whole.substr(begin, 0);  // keeps its place
+    cells.push_back({text, whole, line});
+    begin = end + 1;
+  }
+  return cells;
+}
+
 void NumberTable::read_header(const Cells& cells, FileIssues& issues) {
+  if (!cells.empty()) header_ = cells.front();
   std::vector<std::string> names;
   for (const NumberColumn& column : known_) names.push_back(column.name);
   for (const Token& cell : cells) {
@@ -71,7 +76,7 @@ void NumberTable::read_row(const Cells& cells, FileIssues& issues) {
                                   std::to_string(cells.size()));
     return;
   }
-  Row row{cells.front().line, {}};
+  Row row{cells.front().line, {}, cells.front().line_text};
   for (std::size_t i = 0; i < cells.size(); ++i) {
     row.values.push_back(number(cells[i], known_[columns_[i]], issues));
   }
@@ -80,6 +85,14 @@ void NumberTable::read_row(const Cells& cells, FileIssues& issues) {
 
 double NumberTable::number(const Token& cell, const NumberColumn& column,
                            FileIssues& issues) const {
+  if (column.read) {
+    try {
+      return column.read(cell.text);
+    } catch (const InputError& error) {
+      issues.add(cell, column.name + ": " + error.issues().front().message);
+      return 0.0;
+    }
+  }
   const auto value = strict_number_in<double>(cell.text);
   if (!value) {
     issues.add(cell, "expected a finite number for " + column.name + ", found \"" +
@@ -102,6 +115,14 @@ double NumberTable::value(const Row& row, std::string_view column, double otherw
     if (known_[columns_[i]].name == column) return row.values[i];
   }
   return otherwise;
+}
+
+Token NumberTable::cell(const Row& row, std::string_view column) const {
+  const Cells cells = cells_of(row.text, row.line);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (known_[columns_[i]].name == column) return cells[i];
+  }
+  return cells.front();
 }
 
 }  // namespace nadir::sim

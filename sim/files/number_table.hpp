@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,8 @@ struct NumberColumn {
   std::string name;
   bool required = false;
   double min = -1e300, max = 1e300;
+  /// Of cells that are no plain numbers (moments); throws InputError for what it does not know.
+  std::function<double(std::string_view)> read{};
 };
 
 /// A CSV table of numbers: the first row names the columns, in any order. Blank lines and lines
@@ -26,16 +29,23 @@ class NumberTable {
   struct Row {
     int line = 0;
     std::vector<double> values;  ///< in the order of the file's columns
+    std::string_view text{};     ///< of the whole line, in the text that was read
   };
   [[nodiscard]] const std::vector<Row>& rows() const noexcept { return rows_; }
   [[nodiscard]] bool has(std::string_view column) const noexcept;
   /// The row's value in that column, or `otherwise` where the table has none.
   [[nodiscard]] double value(const Row& row, std::string_view column, double otherwise) const;
+  /// Where the row's value stands, for messages, as long as the text lives; the row's beginning for
+  /// a column that the table lacks.
+  [[nodiscard]] Token cell(const Row& row, std::string_view column) const;
+  /// The first name in the row of names.
+  [[nodiscard]] const Token& header() const noexcept { return header_; }
 
  private:
   using Cells = std::vector<Token>;
 
-  [[nodiscard]] Cells next_row(std::string_view& rest, int& line) const;
+  [[nodiscard]] static Cells next_row(std::string_view& rest, int& line);
+  [[nodiscard]] static Cells cells_of(std::string_view whole, int line);
   void read_header(const Cells& cells, FileIssues& issues);
   void read_row(const Cells& cells, FileIssues& issues);
   [[nodiscard]] double number(const Token& cell, const NumberColumn& column,
@@ -44,6 +54,7 @@ class NumberTable {
   std::vector<NumberColumn> known_;
   std::vector<std::size_t> columns_;  // of the file: index into known_
   std::vector<Row> rows_;
+  Token header_;
 };
 
 }  // namespace nadir::sim

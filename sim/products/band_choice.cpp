@@ -50,12 +50,6 @@ double contrast(const BandImage& band) {
   return unit > 0.0 ? spread / unit : 0.0;
 }
 
-std::size_t most_contrast(const ArrayImage& image, const Bands& bands) {
-  return *std::max_element(bands.begin(), bands.end(), [&](std::size_t a, std::size_t b) {
-    return contrast(image.bands[a]) < contrast(image.bands[b]);
-  });
-}
-
 std::optional<BandChoice> choose_wanted(const ArrayImage& image,
                                         const std::vector<std::string>& wanted) {
   if (wanted.size() != 1 && wanted.size() != 3) return std::nullopt;
@@ -74,32 +68,46 @@ std::optional<BandChoice> choose_wanted(const ArrayImage& image,
   return choice;
 }
 
-BandChoice choose_freely(const ArrayImage& image) {
+std::vector<BandChoice> choose_freely(const ArrayImage& image) {
   Bands all, reflective;
   for (std::size_t b = 0; b < image.bands.size(); ++b) {
     all.push_back(b);
     if (image.bands[b].centre_um <= thermal_from_um) reflective.push_back(b);
   }
-  if (reflective.empty()) return {Look::temperature, {nearest(image, all, clearest_thermal_um)}};
-  if (reflective.size() < 3) return {Look::grey, {most_contrast(image, reflective)}};
-
+  if (reflective.empty()) {
+    return {{Look::temperature, {nearest(image, all, clearest_thermal_um)}}};
+  }
+  if (reflective.size() < 3) {
+    std::vector<BandChoice> greys;
+    for (const std::size_t band : reflective) greys.push_back({Look::grey, {band}});
+    return greys;
+  }
   Bands rgb;
   for (const double target_um : natural_um) rgb.push_back(nearest(image, reflective, target_um));
-  if (is_natural(image, rgb)) return {Look::natural_colour, rgb};
+  if (is_natural(image, rgb)) return {{Look::natural_colour, rgb}};
   std::sort(reflective.begin(), reflective.end(), [&](std::size_t a, std::size_t b) {
     return image.bands[a].centre_um > image.bands[b].centre_um;
   });
-  return {Look::false_colour,
-          {reflective.front(), reflective[reflective.size() / 2], reflective.back()}};
+  return {{Look::false_colour,
+           {reflective.front(), reflective[reflective.size() / 2], reflective.back()}}};
 }
 
 }  // namespace
 
+std::vector<BandChoice> choices_of(const ArrayImage& image,
+                                   const std::vector<std::string>& wanted) {
+  if (const auto choice = choose_wanted(image, wanted)) return {*choice};
+  std::vector<BandChoice> choices = choose_freely(image);
+  for (BandChoice& choice : choices) choice.as_wanted = wanted.empty();
+  return choices;
+}
+
 BandChoice choose_bands(const ArrayImage& image, const std::vector<std::string>& wanted) {
-  if (const auto choice = choose_wanted(image, wanted)) return *choice;
-  BandChoice choice = choose_freely(image);
-  choice.as_wanted = wanted.empty();
-  return choice;
+  const std::vector<BandChoice> choices = choices_of(image, wanted);
+  if (choices.size() == 1) return choices.front();  // spares the contrast
+  return *std::max_element(choices.begin(), choices.end(), [&](const auto& a, const auto& b) {
+    return contrast(image.bands[a.bands[0]]) < contrast(image.bands[b.bands[0]]);
+  });
 }
 
 }  // namespace nadir::sim

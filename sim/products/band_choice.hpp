@@ -30,4 +30,9 @@ inline constexpr double thermal_from_um = 3.0;
 [[nodiscard]] BandChoice choose_bands(const ArrayImage& image,
                                       const std::vector<std::string>& wanted);
 
+/// What `choose_bands` would choose from, knowing names and wavelengths but no pixels: one choice,
+/// or several shades of grey.
+[[nodiscard]] std::vector<BandChoice> choices_of(const ArrayImage& image,
+                                                 const std::vector<std::string>& wanted);
+
 }  // namespace nadir::sim

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +12,7 @@
 #include "sim/products/band_choice.hpp"
 #include "sim/products/caption.hpp"
 #include "sim/products/colour_map.hpp"
+#include "sim/products/preview.hpp"
 #include "sim/products/temperature_map.hpp"
 #include "sim/products/tone_map.hpp"
 
@@ -26,20 +27,6 @@ constexpr int most_lines = 1600;   // but no taller than this
 struct Caption {
   std::string heading, shown, extremes, invalid;
   std::optional<TemperatureRange> colour_bar;
-};
-
-struct Extremes {
-  double least = 0.0, greatest = 0.0;
-  bool any = false;
-
-  void add(const std::vector<float>& values) {
-    for (const float value : values) {
-      if (!std::isfinite(value)) continue;
-      least = any ? std::min<double>(least, value) : value;
-      greatest = any ? std::max<double>(greatest, value) : value;
-      any = true;
-    }
-  }
 };
 
 std::string band_text(const BandImage& band) {
@@ -76,12 +63,11 @@ std::string kelvin_text(double kelvin) {
   return fmt::format("{:.1f} K ({:.1f} \u00B0C)", kelvin, kelvin - si::zero_celsius);
 }
 
-Caption temperature_caption(const ArrayImage& image, const BandChoice& choice,
-                            const std::vector<float>& temperature_k, TemperatureRange range) {
-  Extremes extremes;
-  extremes.add(temperature_k);
+Caption temperature_caption(const ArrayImage& image, const ShownFacts& facts,
+                            TemperatureRange range) {
+  const Extremes& extremes = facts.extremes[0];
   Caption caption;
-  caption.shown = "brightness temperature, band " + band_text(image.bands[choice.bands[0]]);
+  caption.shown = "brightness temperature, band " + band_text(image.bands[facts.choice.bands[0]]);
   caption.colour_bar = range;
   caption.extremes =
       with_dots({extremes.any ? "min " + kelvin_text(extremes.least) : "no valid pixel",
@@ -89,14 +75,13 @@ Caption temperature_caption(const ArrayImage& image, const BandChoice& choice,
   return caption;
 }
 
-Caption radiance_caption(const ArrayImage& image, const BandChoice& choice) {
+Caption radiance_caption(const ArrayImage& image, const ShownFacts& facts) {
+  const BandChoice& choice = facts.choice;
   Caption caption;
   Extremes extremes;
   std::vector<std::string> names;
-  for (const std::size_t band : choice.bands) {
-    names.push_back(band_text(image.bands[band]));
-    extremes.add(image.bands[band].radiance);
-  }
+  for (const std::size_t band : choice.bands) names.push_back(band_text(image.bands[band]));
+  for (const Extremes& band : facts.extremes) extremes.add(band);
   const char* kind = choice.look == Look::natural_colour ? "natural colour"
                      : choice.look == Look::false_colour ? "false colour"
                                                          : "grey";
@@ -109,6 +94,10 @@ Caption radiance_caption(const ArrayImage& image, const BandChoice& choice) {
                                 : std::string{"no valid pixel"};
   caption.extremes = range;
   return caption;
+}
+
+std::string step_text(int step) {
+  return step == 1 ? std::string{} : fmt::format("one of {0} x {0} pixels; values of all", step);
 }
 
 int magnification(const ArrayImage& image) {
@@ -167,29 +156,38 @@ PngImage compose(const ArrayImage& image, const Picture& picture, const Caption&
 
 }  // namespace
 
-QuickLook quick_look(const ArrayImage& image, const QuickLookOptions& options) {
+QuickLook quick_look(const Preview& preview, const QuickLookOptions& options) {
+  const ArrayImage& image = preview.image();
   const BandChoice choice = choose_bands(image, options.bands);
+  const ShownFacts& facts = preview.facts(choice);
   Picture picture;
   Caption caption;
   if (choice.look == Look::temperature) {
     const auto temperature_k = temperatures_of(image.bands[choice.bands[0]]);
     const TemperatureRange range = temperature_range(image, temperature_k);
     picture = temperature_map(temperature_k, range);
-    caption = temperature_caption(image, choice, temperature_k, range);
+    caption = temperature_caption(image, facts, range);
   } else {
     picture = tone_map(image, choice);
-    caption = radiance_caption(image, choice);
+    caption = radiance_caption(image, facts);
   }
-  caption.invalid = invalid_text(picture.invalid_pixels);
+  caption.extremes = with_dots({caption.extremes, step_text(preview.step())});
+  caption.invalid = invalid_text(facts.invalid_pixels);
   caption.heading = with_dots({options.title, image.name, options.time});
 
-  QuickLook look{compose(image, picture, caption), picture.invalid_pixels, choice.as_wanted};
+  QuickLook look{compose(image, picture, caption), facts.invalid_pixels, choice.as_wanted};
   look.picture.text = {
       {"Title", in_ascii(with_dots({options.title, image.name}))},
       {"Description", in_ascii(with_dots({caption.shown, caption.extremes, caption.invalid}))},
       {"Software", options.software}};
   if (!options.time.empty()) look.picture.text.emplace_back("Acquisition Time", options.time);
   return look;
+}
+
+QuickLook quick_look(const ArrayImage& image, const QuickLookOptions& options) {
+  Preview preview{image, options.bands, std::numeric_limits<std::size_t>::max()};
+  preview.take(image);
+  return quick_look(preview, options);
 }
 
 }  // namespace nadir::sim

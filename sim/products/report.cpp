@@ -41,6 +41,13 @@ Json json_of(const ValueRange& range) {
       {"min", number(range.least)}, {"mean", number(range.mean)}, {"max", number(range.greatest)}};
 }
 
+Json json_of(const DnSummary& dn) {
+  Json json = json_of(dn.range);
+  json["zero_pixels"] = dn.zero_pixels;
+  json["saturated_pixels"] = dn.saturated_pixels ? Json(*dn.saturated_pixels) : Json(nullptr);
+  return json;
+}
+
 Json json_of(const BandSummary& band) {
   Json json{
       {"name", band.name},
@@ -54,6 +61,7 @@ Json json_of(const BandSummary& band) {
   }
   json["invalid_pixels"] = band.invalid_pixels;
   json["negative_pixels"] = band.negative_pixels;
+  if (band.dn) json["dn"] = json_of(*band.dn);
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -41,6 +42,14 @@ struct ValueRange {
   double greatest = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Of a band's digital numbers.
+struct DnSummary {
+  ValueRange range;
+  std::uint64_t zero_pixels =
+      0;  ///< dead, without a valid radiance, or below the converter's range
+  std::optional<std::uint64_t> saturated_pixels;  ///< with the greatest number; nothing: not known
+};
+
 struct BandSummary {
   std::string name;
   double centre_um = 0.0, fwhm_um = 0.0;
@@ -50,6 +59,7 @@ struct BandSummary {
   ValueRange brightness_temperature;  ///< K; all NaN for bands up to 3 um
   std::uint64_t invalid_pixels = 0;   ///< radiance is not a finite number
   std::uint64_t negative_pixels = 0;  ///< radiance below 0
+  std::optional<DnSummary> dn{};      ///< nothing without a detector
 };
 
 struct ArraySummary {
@@ -61,7 +71,7 @@ struct ArraySummary {
 };
 
 /// Relative error: standard error over radiance, of the pixels where both are finite and the
-/// radiance is above 0.
+/// radiance is above 0. Without the camera, saturated pixels are not known.
 [[nodiscard]] ArraySummary summarise(const ArrayImage& image);
 
 /// All that a run tells about itself. docs/products.md explains every key.

@@ -114,8 +114,8 @@ std::optional<RayBending> camera_bending(const World& world, ReportValues& repor
                      air.ground_height_m};
   double worst = 0.0;
   for (const sensor::DetectorArray& array : world.camera.arrays) {
-    worst =
-        std::max(worst, bending_in_pixels(world.scene.geometry, bending, array, world.camera.pose));
+    worst = std::max(
+        worst, bending_in_pixels(world.scene.geometry, bending, array, world.camera.platform));
   }
   report.emplace_back("refraction_shift_pixels", worst);
   report.emplace_back("rays_bend", worst >= noticeable_pixels);

@@ -32,7 +32,7 @@ bool under_ground(const geometry::Scene& scene, Vec3 eye) {
 
 void check_camera(const Scenario& scenario, const geometry::Scene& scene, const Camera& camera,
                   double ground_m) {
-  const Vec3 eye = camera.pose.position;
+  const Vec3 eye = middle_pose(camera).position;
   const double height_m = height_above_sea_m(eye, ground_m);
   if (height_m < ground_m) {
     refuse_at(
@@ -102,14 +102,14 @@ void fit_air(const Scenario& scenario, const LoadedGeometry& geometry,
     const CameraPlan plan = plan_camera(camera.arrays, scenario.sampling.wavelengths_per_band);
     check_air_bodies(table, bodies, wavelength_range(plan), task.where);
     check_camera(scenario, geometry.scene, camera, table.ground_m);
-    warn_of_height(table, height_above_sea_m(camera.pose.position, table.ground_m), task.where,
-                   diagnostics);
+    warn_of_height(table, height_above_sea_m(middle_pose(camera).position, table.ground_m),
+                   task.where, diagnostics);
     return;
   }
   LayeredTask& layered = *task.layered;
   const double ground_m = layered.air.ground_height_m;
   check_camera(scenario, geometry.scene, camera, ground_m);
-  layered.settings.observer_height_m = height_above_sea_m(camera.pose.position, ground_m);
+  layered.settings.observer_height_m = height_above_sea_m(middle_pose(camera).position, ground_m);
   if (!layered.refraction || !computed) return;
   const ephemeris::AirAtSite at_site = air_at_site(layered.air);
   for (ephemeris::LightSource& body : bodies) lift(body, at_site);

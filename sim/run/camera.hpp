@@ -24,4 +24,11 @@ struct Camera {
   std::string platform_name{}, instrument_name{};           ///< for metadata; may be empty
 };
 
+/// The camera's pose in the middle of the time that its images take.
+[[nodiscard]] inline sensor::Pose middle_pose(const Camera& camera) {
+  const sensor::Platform& platform = camera.platform;
+  if (platform.is_fixed()) return platform.at(0.0);
+  return platform.steady(0.5 * (platform.first_s() + platform.last_s()));
+}
+
 }  // namespace nadir::sim

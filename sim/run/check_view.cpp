@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sensor/camera/projection.hpp"
 #include "sim/run/error_list.hpp"
 
 namespace nadir::sim {
@@ -44,7 +45,7 @@ ViewSeen look(const World& world, const sensor::DetectorArray& array) {
     for (int i = 0; i < across; ++i) {
       const double sample = (i + 0.5) * array.samples / across;
       const double line = (j + 0.5) * array.lines / down;
-      const auto ray = sensor::view_ray(array, world.camera.pose, sample, line);
+      const auto ray = sensor::image_view(array, world.camera.platform, {sample, line}).ray;
       const auto hit = world.scene.geometry.intersect(ray);
       seen.surfaces += hit ? 1 : 0;
       seen.from_behind += hit && hit->back_face ? 1 : 0;
@@ -62,7 +63,7 @@ bool bounds_in_view(const World& world, const sensor::DetectorArray& array) {
                                    : Vec3{(corner & 1) != 0 ? box.hi.x : box.lo.x,
                                           (corner & 2) != 0 ? box.hi.y : box.lo.y,
                                           (corner & 4) != 0 ? box.hi.z : box.lo.z};
-    if (sensor::in_view(array, world.camera.pose, place)) return true;
+    if (sensor::in_view(array, world.camera.platform, place)) return true;
   }
   return false;
 }

@@ -1,7 +1,7 @@
 #include "sim/run/heat_ahead.hpp"
 
 #include "core/random.hpp"
-#include "sensor/camera/detector_array.hpp"
+#include "sensor/camera/path_view.hpp"
 #include "sim/run/pixel.hpp"
 
 namespace nadir::sim {
@@ -25,9 +25,9 @@ void solve_heat_ahead(const World& world, std::uint64_t seed) {
     if (!world.asks_for_heat[i]) continue;
     for (int line = 0; line < array.lines; ++line) {
       for (int sample = 0; sample < array.samples; ++sample) {
-        const Sampler numbers = first_path(mix(seed, i), array, sample, line);
+        const Sampler numbers = path_numbers(mix(seed, i), array, {sample, line, 0, 0});
         auto hit = world.scene.geometry.intersect(
-            pixel_ray(array, world.camera.pose, numbers, sample, line));
+            sensor::path_view(array, world.camera.platform, sample, line, numbers).ray);
         if (!hit) continue;
         radiometry::resolve_map(world.scene, *hit, numbers);
         hits.push_back(*hit);

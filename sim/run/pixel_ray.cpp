@@ -31,10 +31,13 @@ Vec3 place_along(const atmosphere::BentPath& path, double way_m) {
 }
 
 /// Size of a pixel across a line of sight at a distance.
-double pixel_size_m(const sensor::DetectorArray& array, double distance_m) {
-  const auto* perspective = std::get_if<sensor::Perspective>(&array.projection);
-  if (perspective == nullptr) return array.pitch_m;
-  return array.pitch_m / perspective->focal_length_m * distance_m;
+double pixel_size_m(const sensor::DetectorArray& array, const sensor::Platform& platform,
+                    double distance_m) {
+  if (std::holds_alternative<sensor::Orthographic>(array.projection)) return array.pitch_m;
+  const double sample = 0.5 * array.samples, line = 0.5 * array.lines;
+  const Vec3 a = sensor::image_view(array, platform, {sample - 0.5, line}).ray.direction;
+  const Vec3 b = sensor::image_view(array, platform, {sample + 0.5, line}).ray.direction;
+  return length(b - a) * distance_m;
 }
 
 }  // namespace
@@ -61,20 +64,22 @@ std::optional<geometry::Hit> intersect_bent(const geometry::Scene& scene, const 
 }
 
 double bending_in_pixels(const geometry::Scene& scene, const RayBending& bending,
-                         const sensor::DetectorArray& array, const sensor::Pose& pose) {
+                         const sensor::DetectorArray& array, const sensor::Platform& platform) {
   constexpr int tried = 9;  // along each side, corners included
   double worst = 0.0;
   for (int j = 0; j < tried; ++j) {
     for (int i = 0; i < tried; ++i) {
-      const auto ray = sensor::view_ray(array, pose, array.samples * i / (tried - 1.0),
-                                        array.lines * j / (tried - 1.0));
+      const auto ray =
+          sensor::image_view(array, platform,
+                             {array.samples * i / (tried - 1.0), array.lines * j / (tried - 1.0)})
+              .ray;
       const auto hit = intersect_bent(scene, bending, ray);
       if (!hit) continue;
       const auto path = atmosphere::bent_path(bending.air, bending.ground_m, ray.origin,
                                               ray.direction, hit->distance);
       const Vec3 off = place_along(path, hit->distance) - ray.origin;
       const Vec3 aside = off - ray.direction * dot(off, ray.direction);
-      worst = std::max(worst, length(aside) / pixel_size_m(array, hit->distance));
+      worst = std::max(worst, length(aside) / pixel_size_m(array, platform, hit->distance));
     }
   }
   return worst;

@@ -4,7 +4,7 @@
 
 #include "atmosphere/paths/ray_bending.hpp"
 #include "geometry/scene.hpp"
-#include "sensor/camera/detector_array.hpp"
+#include "sensor/camera/path_view.hpp"
 
 namespace nadir::sim {
 
@@ -23,6 +23,6 @@ struct RayBending {
 /// sight over the array, each as far as the surface that it meets.
 [[nodiscard]] double bending_in_pixels(const geometry::Scene& scene, const RayBending& bending,
                                        const sensor::DetectorArray& array,
-                                       const sensor::Pose& pose);
+                                       const sensor::Platform& platform);
 
 }  // namespace nadir::sim

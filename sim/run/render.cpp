@@ -1,9 +1,11 @@
 #include "sim/run/render.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
 #include "sim/run/pixel.hpp"
+#include "sim/run/strips.hpp"
 #include "sim/run/tiles.hpp"
 
 namespace nadir::sim {
@@ -16,75 +18,120 @@ constexpr int tile_edge = 16;
 // temperature says something.
 constexpr double emissive_beyond_um = 3.0;
 
-ArrayJob prepare(const radiometry::SceneDescription& scene, const sensor::Pose& pose,
-                 const sensor::DetectorArray& array, ArrayPlan plan, Diagnostics& diagnostics) {
-  ArrayJob job{&scene, &pose, &array, std::move(plan), {}};
+ArrayJob prepare(const radiometry::SceneDescription& scene, const Camera& camera,
+                 std::size_t number, ArrayPlan plan, const RenderOptions& options,
+                 Diagnostics& diagnostics) {
+  ArrayJob job{&scene, &camera.platform, &camera.arrays[number], std::move(plan), {}, {}};
   for (const spectral::Lanes& lanes : job.plan.lanes.blocks) {
     job.blocks.emplace_back(scene, lanes, diagnostics);
   }
+  const bool heat = options.asks_for_heat == nullptr || (*options.asks_for_heat)[number];
+  job.truth = {options.truth, options.sky_view, options.fractions, heat, options.frame};
   return job;
 }
 
-ArrayImage blank_image(const sensor::DetectorArray& array,
-                       const radiometry::SceneDescription& scene, bool truth) {
+BandImage blank_band(const sensor::Band& band, std::size_t pixels, bool shares) {
+  BandImage image;
+  image.name = band.name;
+  image.centre_um = spectral::centre(band.response).value;
+  image.fwhm_um = spectral::fwhm(band.response).value;
+  image.radiance.resize(pixels);
+  image.standard_error.resize(pixels);
+  if (image.centre_um > emissive_beyond_um) {
+    image.brightness_temperature.resize(pixels);
+    image.brightness_temperature_error.resize(pixels);
+  }
+  if (shares) {
+    image.shares.path.resize(pixels);
+    image.shares.emission.resize(pixels);
+  }
+  return image;
+}
+
+ArrayImage blank_strip(const ArrayJob& job, const Strip& strip, const RenderOptions& options) {
+  const sensor::DetectorArray& array = *job.array;
   ArrayImage image;
   image.name = array.name;
   image.samples = array.samples;
-  image.lines = array.lines;
-  const std::size_t pixels = image.pixels();
+  image.lines = strip.lines;
+  image.first_line = strip.first_line;
+  image.all_lines = array.lines;
+  image.paths = static_cast<std::uint32_t>(options.sampling.replicates *
+                                           options.sampling.samples_per_replicate);
   for (const sensor::Band& band : array.bands) {
-    const double centre_um = spectral::centre(band.response).value;
-    image.bands.push_back({band.name, centre_um, spectral::fwhm(band.response).value,
-                           std::vector<float>(pixels), std::vector<float>(pixels),
-                           std::vector<float>(centre_um > emissive_beyond_um ? pixels : 0)});
+    image.bands.push_back(blank_band(band, image.pixels(), options.shares));
   }
-  if (!truth) return image;
-  for (const materials::Material& material : scene.materials) {
-    image.truth.material_names.push_back(material.name);
+  static const std::vector<std::string> nameless;
+  const auto& names = options.object_names != nullptr ? *options.object_names : nameless;
+  prepare(image.truth, image.pixels(), *job.scene, names, job.truth);
+  return image;
+}
+
+/// Tells of progress and adds up what threads have done.
+struct Tally {
+  std::mutex mutex;
+  std::size_t done = 0, all = 0;
+  radiometry::Counters counters;
+
+  void add(const PixelRenderer& pixels, const RenderOptions& options) {
+    const std::scoped_lock lock{mutex};
+    counters += pixels.counters();
+    if (options.progress) options.progress(++done, all);
   }
-  image.truth.material.resize(pixels);
-  for (auto* plane : {&image.truth.range_m, &image.truth.temperature_k,
-                      &image.truth.sun_elevation_deg, &image.truth.shadow_fraction}) {
-    plane->resize(pixels);
-  }
+};
+
+ArrayImage render_strip(const ArrayJob& job, const Strip& strip, std::uint64_t array_key,
+                        const RenderOptions& options, Tally& tally) {
+  ArrayImage image = blank_strip(job, strip, options);
+  const auto tiles = cut_into_tiles(0, image.samples, image.lines, tile_edge);
+  for_each_tile(tiles, options.threads, [&](const Tile& tile) {
+    PixelRenderer pixels{job, options, array_key};
+    for (int line = tile.first_line; line < tile.first_line + tile.lines; ++line) {
+      for (int sample = tile.first_sample; sample < tile.first_sample + tile.samples; ++sample) {
+        pixels.render(sample, strip.first_line + line, image);
+      }
+    }
+    tally.add(pixels, options);
+  });
   return image;
 }
 
 }  // namespace
 
-RenderResult render(const radiometry::SceneDescription& scene, const Camera& camera,
-                    const RenderOptions& options, Diagnostics& diagnostics) {
-  RenderResult result;
-  std::vector<ArrayJob> jobs;
-  std::vector<Tile> tiles;
+radiometry::Counters render_strips(const radiometry::SceneDescription& scene, const Camera& camera,
+                                   const RenderOptions& options, Diagnostics& diagnostics,
+                                   const StripSink& sink) {
   const CameraPlan plan = options.plan != nullptr
                               ? *options.plan
                               : plan_camera(camera.arrays, options.sampling.wavelengths_per_band);
+  Tally tally;
   for (const sensor::DetectorArray& array : camera.arrays) {
-    const auto cut =
-        cut_into_tiles(static_cast<int>(jobs.size()), array.samples, array.lines, tile_edge);
-    tiles.insert(tiles.end(), cut.begin(), cut.end());
-    jobs.push_back(prepare(scene, camera.pose, array, plan.arrays[jobs.size()], diagnostics));
-    if (options.asks_for_heat != nullptr) {
-      jobs.back().solves_heat = (*options.asks_for_heat)[jobs.size() - 1];
+    for (const Strip& strip : cut_into_strips(array.samples, array.lines, tile_edge)) {
+      tally.all += cut_into_tiles(0, array.samples, strip.lines, tile_edge).size();
     }
-    result.images.push_back(blank_image(array, scene, options.truth));
   }
-
-  std::mutex mutex;  // guards the counters and the progress display
-  std::size_t done = 0;
-  for_each_tile(tiles, options.threads, [&](const Tile& tile) {
-    const auto index = static_cast<std::size_t>(tile.array);
-    PixelRenderer pixels{jobs[index], options, mix(options.seed, index)};
-    for (int line = tile.first_line; line < tile.first_line + tile.lines; ++line) {
-      for (int sample = tile.first_sample; sample < tile.first_sample + tile.samples; ++sample) {
-        pixels.render(sample, line, result.images[index]);
-      }
+  for (std::size_t i = 0; i < camera.arrays.size(); ++i) {
+    const ArrayJob job = prepare(scene, camera, i, plan.arrays[i], options, diagnostics);
+    const sensor::DetectorArray& array = camera.arrays[i];
+    for (const Strip& strip : cut_into_strips(array.samples, array.lines, tile_edge)) {
+      sink(i, render_strip(job, strip, mix(options.seed, i), options, tally));
     }
-    const std::scoped_lock lock{mutex};
-    result.counters += pixels.counters();
-    if (options.progress) options.progress(++done, tiles.size());
-  });
+  }
+  return tally.counters;
+}
+
+RenderResult render(const radiometry::SceneDescription& scene, const Camera& camera,
+                    const RenderOptions& options, Diagnostics& diagnostics) {
+  RenderResult result;
+  result.counters = render_strips(scene, camera, options, diagnostics,
+                                  [&](std::size_t array, ArrayImage&& strip) {
+                                    if (array == result.images.size()) {
+                                      result.images.push_back(std::move(strip));
+                                    } else {
+                                      append(result.images[array], strip);
+                                    }
+                                  });
+  for (ArrayImage& image : result.images) image.all_lines = 0;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "sim/run/air_stage.hpp"
 #include "sim/run/check_view.hpp"
+#include "sim/run/detect.hpp"
 #include "sim/run/heat_ahead.hpp"
 #include "sim/run/render.hpp"
 #include "sim/run/stage_clock.hpp"
@@ -61,14 +62,64 @@ ProductContext context_of(const Scenario& scenario, Diagnostics& diagnostics) {
   context.title = scenario.title;
   context.time_utc = scenario.time.to_string();
   context.version = NADIR_VERSION;
-  context.envi = scenario.products.envi;
-  context.exr = scenario.products.exr;
-  context.quick_look = scenario.products.quick_look;
-  context.truth = scenario.products.truth;
-  context.quick_look_bands = scenario.products.quick_look_bands;
+  context.wanted = scenario.products;
   context.diagnostics = &diagnostics;
   return context;
 }
+
+/// How the products place themselves on the earth.
+ProductGeometry geometry_of(const Scenario& scenario, const World& world) {
+  const geometry::Scene& scene = world.scene.geometry;
+  const geometry::Bounds box = scene.bounds();
+  const double middle_up_m = 0.5 * (box.lo.z + box.hi.z);
+  const auto surface = [&scene](const geometry::Ray& ray) -> std::optional<Vec3> {
+    const auto hit = scene.intersect(ray);
+    return hit ? std::optional{hit->position} : std::nullopt;
+  };
+  return {&world.camera, world.frame,
+          scenario.time, world.scene.illumination,
+          surface,       world.frame.geodetic({0.0, 0.0, middle_up_m}).height_m};
+}
+
+RenderOptions render_options(const Scenario& scenario, const RunOptions& options,
+                             const World& world) {
+  RenderOptions render;
+  render.sampling = scenario.sampling;
+  render.seed = options.seed;
+  render.threads = options.threads;
+  render.truth = scenario.products.truth;
+  render.progress = options.progress;
+  render.asks_for_heat = &world.asks_for_heat;
+  render.sky_view = scenario.products.sky_view;
+  render.fractions = scenario.products.fractions;
+  render.shares = scenario.products.statistics;
+  render.frame = &world.frame;
+  render.object_names = &world.object_names;
+  return render;
+}
+
+/// Renders, lets the detectors count and writes, strip by strip.
+struct Imaging {
+  RenderOptions render;
+  ProductContext products;
+  std::uint64_t noise_seed = 1;
+
+  ProductWriter::Written run(const World& world, const RunOptions& options, RunReport& report,
+                             StageClock& clock, Diagnostics& diagnostics) {
+    DetectorStage detectors{world.camera, products.wanted, noise_seed};
+    products.calibrations = detectors.calibrations();
+    ProductWriter writer{products, options.output};
+    const auto counters = clock.stage("render", [&] {
+      return render_strips(world.scene, world.camera, render, diagnostics,
+                           [&](std::size_t array, ArrayImage&& strip) {
+                             detectors.apply(array, strip);
+                             writer.take(strip);
+                           });
+    });
+    report.counters = counters_of(counters);
+    return clock.stage("write products", [&] { return writer.finish(); });
+  }
+};
 
 void describe(const Scenario& scenario, const RunOptions& options, RunReport& report) {
   report.version = NADIR_VERSION;
@@ -76,7 +127,8 @@ void describe(const Scenario& scenario, const RunOptions& options, RunReport& re
   report.scenario_name = scenario.name;
   report.scenario_title = scenario.title;
   report.scenario_time_utc = scenario.time.to_string();
-  report.options = {{"seed", static_cast<std::int64_t>(options.seed)}};
+  report.options = {{"seed", static_cast<std::int64_t>(options.seed)},
+                    {"noise_seed", static_cast<std::int64_t>(options.noise_seed)}};
   report.settings = settings_of(scenario, options);
 }
 
@@ -146,24 +198,21 @@ RunOutcome run_scenario(const RunOptions& options) {
     });
   }
   const CameraPlan plan = plan_camera(world, scenario.sampling);
-  const RenderResult result = clock.stage("render", [&] {
-    return render(world.scene, world.camera,
-                  {scenario.sampling, options.seed, options.threads, scenario.products.truth,
-                   options.progress, &plan, bending ? &*bending : nullptr, &world.asks_for_heat},
-                  diagnostics);
-  });
-  report.counters = counters_of(result.counters);
+  const ProductGeometry geometry = geometry_of(scenario, world);
+  Imaging imaging{render_options(scenario, options, world), context_of(scenario, diagnostics),
+                  options.noise_seed};
+  imaging.render.plan = &plan;
+  imaging.render.bending = bending ? &*bending : nullptr;
+  imaging.products.geometry = &geometry;
+  ProductWriter::Written written = imaging.run(world, options, report, clock, diagnostics);
   if (world.heat) {
     report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
     tell_of_heat(world, diagnostics);
   }
-  const auto products = clock.stage("write products", [&] {
-    return write_products(result.images, context_of(scenario, diagnostics), options.output);
-  });
-  for (const ProductFile& product : products) {
+  for (const ProductFile& product : written.files) {
     report.products.push_back(record_file(product.kind, product.path));
   }
-  for (const ArrayImage& image : result.images) report.arrays.push_back(summarise(image));
+  report.arrays = std::move(written.summaries);
   report.stages = clock.stages();
   report.warnings = diagnostics.messages();
   report.peak_memory_bytes = peak_memory_bytes();

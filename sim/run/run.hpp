@@ -14,7 +14,8 @@ struct RunOptions {
   std::filesystem::path scenario;
   std::filesystem::path output;  ///< folder of the products; made where it is missing
   std::uint64_t seed = 1;
-  int threads = 0;                                                  ///< 0: one per processor
+  std::uint64_t noise_seed = 1;  ///< of the detectors' noise, apart from the render's
+  int threads = 0;               ///< 0: one per processor
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< tiles rendered
 };
 

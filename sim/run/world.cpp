@@ -32,6 +32,21 @@ std::vector<bool> arrays_asking(const Scenario& scenario, const Camera& camera,
   return asking;
 }
 
+/// Objects in the order of the file, then the area lamps, of which a list may place many: as
+/// load_geometry numbers them.
+std::vector<std::string> object_names(const Scenario& scenario,
+                                      const std::vector<radiometry::Lamp>& lamps) {
+  std::vector<std::string> names;
+  for (const GeometryInput& input : scenario.geometry) {
+    names.push_back(std::visit([](const auto& part) { return part.name; }, input));
+  }
+  const auto area_lamps = std::count_if(lamps.begin(), lamps.end(), [](const auto& lamp) {
+    return std::holds_alternative<radiometry::AreaLamp>(lamp.form);
+  });
+  names.insert(names.end(), static_cast<std::size_t>(area_lamps), "lamp");
+  return names;
+}
+
 // Rays leave a surface lifted by a few units of float resolution of the scene's size: a shadow
 // detail smaller than that is lost. (Lift at the edge of a scene of half extent S: 6 * 2^-23 S.)
 constexpr double lift_per_extent = 6.0 * 0x1p-23;
@@ -127,6 +142,7 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
   });
   errors.throw_if_any();
   warn_of_bright_night(scenario, illumination, air, diagnostics);
+  std::vector<std::string> names = object_names(scenario, geometry->lamps);
   World world{
       scenario.file,
       {geometry->scene, std::move(materials), std::move(temperatures->field),
@@ -135,19 +151,26 @@ World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagn
       std::move(camera),
       std::move(air_task),
       std::move(temperatures->solver),
-      std::move(asking)};
+      std::move(asking),
+      frame,
+      std::move(names)};
   check_cover(scenario, world.scene, diagnostics);
   return world;
 }
 
 void check_memory(const Camera& camera, const AirDemand& air) {
-  constexpr double bytes_per_band = 3.0 * sizeof(float);  // radiance, error, brightness temperature
-  constexpr double bytes_of_truth = 5.0 * sizeof(float);
-  double needed = air.bytes;
+  // Images stream to the disk: what memory holds of them is a strip (strips.hpp), at most some
+  // hundred megabytes however many bands there are. The table of the air is held as a whole.
+  constexpr double bytes_per_band = 8.0 * sizeof(float);
+  constexpr double bytes_of_truth = 16.0 * sizeof(float) + 4.0 * sizeof(double);
+  constexpr double strip_pixels = 2.0 * (1 << 17);
+  double largest = 0.0;
   for (const sensor::DetectorArray& array : camera.arrays) {
-    needed += static_cast<double>(array.samples) * array.lines *
-              (bytes_per_band * static_cast<double>(array.bands.size()) + bytes_of_truth);
+    const double pixels = std::max(strip_pixels, 16.0 * array.samples);
+    largest = std::max(largest, pixels * (bytes_per_band * static_cast<double>(array.bands.size()) +
+                                          bytes_of_truth));
   }
+  const double needed = air.bytes + largest;
   const double there =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= there) return;

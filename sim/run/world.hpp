@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/diagnostics.hpp"
@@ -26,6 +27,8 @@ struct World {
   std::optional<AirTask> air{};  ///< what is still to be done for the scene's air
   std::shared_ptr<const thermal::HeatSolver> heat{};  ///< null where nothing is to be solved
   std::vector<bool> asks_for_heat{};  ///< by array: whether it needs the temperatures of surfaces
+  geometry::LocalFrame frame{geometry::Geodetic{}};  ///< of the scene's axes
+  std::vector<std::string> object_names{};           ///< by the number that hits carry
 };
 
 /// @param seed  of the rays by which the heat balance looks about
@@ -47,7 +50,8 @@ struct AirDemand {
   std::size_t lanes = 0;
   double bytes = 0.0;
 };
-/// Checks that the images, and a table of the air beside them, fit into this machine's memory.
+/// Checks that what is held of the images, and a table of the air beside it, fit into this
+/// machine's memory.
 /// @throws InputError
 void check_memory(const Camera& camera, const AirDemand& air = {});
 

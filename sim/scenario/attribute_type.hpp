@@ -42,6 +42,7 @@ struct EnumerationType {
 /// A file; without suffixes of any kind.
 struct PathType {
   std::vector<std::string> suffixes;
+  bool or_shipped = false;  ///< if it is not beside the file that names it, in the shipped data
 };
 /// A number for all wavelengths or a spectrum file, with its column after #.
 struct SpectralType {

@@ -110,17 +110,21 @@ class Checker {
       return;
     }
     AttributeValue value = std::get<AttributeValue>(std::move(parsed.result));
-    if (auto* path = std::get_if<fs::path>(&value)) resolve(*path, given.offset);
+    if (auto* path = std::get_if<fs::path>(&value)) {
+      resolve(*path, given.offset, std::get<PathType>(attribute.type).or_shipped);
+    }
     if (auto* spectral = std::get_if<SpectralInput>(&value)) {
-      if (auto* path = std::get_if<fs::path>(&spectral->source)) resolve(*path, given.offset);
+      if (auto* path = std::get_if<fs::path>(&spectral->source)) {
+        resolve(*path, given.offset, false);
+      }
     }
     element.values.emplace(attribute.name, std::move(value));
   }
 
-  void resolve(fs::path& path, std::size_t offset) {
+  void resolve(fs::path& path, std::size_t offset, bool or_shipped) {
     try {
       const std::string written = path.string();
-      path = paths_.absolute(path);
+      path = or_shipped ? paths_.absolute_or_shipped(path) : paths_.absolute(path);
       std::error_code error;
       if (fs::is_regular_file(path, error)) return;
       const bool other = fs::exists(path, error);
@@ -181,9 +185,29 @@ class Checker {
     return false;
   }
 
+  /// Whether a list asks for some of its children in particular.
+  static bool some_required(const ElementType& type) {
+    return type.content == Content::list &&
+           std::any_of(type.children.begin(), type.children.end(),
+                       [](const Child& child) { return child.required; });
+  }
+
+  /// Whether a child may be one of those that must be there.
+  static bool may_count(const XmlElement& child, const ElementType& type,
+                        const std::vector<const ElementType*>& allowed) {
+    if (!some_required(type)) return true;
+    for (std::size_t i = 0; i < allowed.size(); ++i) {
+      if (allowed[i]->name == child.name) return type.children[i].required;
+    }
+    return true;
+  }
+
   static std::string choices(const ElementType& type) {
     std::vector<std::string> names;
-    for (const Child& child : type.children) names.push_back(tag(schema().type(child.type).name));
+    const bool some = some_required(type);
+    for (const Child& child : type.children) {
+      if (!some || child.required) names.push_back(tag(schema().type(child.type).name));
+    }
     return fmt::format("{}", fmt::join(names, " or "));
   }
 
@@ -197,8 +221,9 @@ class Checker {
       }
     }
     const int least = type.content == Content::one_of ? 1 : type.at_least;
+    const auto counts = [&](const XmlElement& child) { return may_count(child, type, allowed); };
     // Unknown children count: they were told already, and are probably what was meant to be here.
-    if (static_cast<int>(xml.children.size()) < least) {
+    if (std::count_if(xml.children.begin(), xml.children.end(), counts) < least) {
       mistake(xml.offset,
               fmt::format("<{}> needs {}{}", type.name,
                           least > 1 ? std::to_string(least) + " of " : "", choices(type)));

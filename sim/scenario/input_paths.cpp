@@ -19,6 +19,17 @@ fs::path InputPaths::absolute(const fs::path& written) const {
   return (data_directory() / "library" / text.substr(prefix.size())).lexically_normal();
 }
 
+fs::path InputPaths::absolute_or_shipped(const fs::path& written) const {
+  const fs::path beside = absolute(written);
+  std::error_code error;
+  if (fs::exists(beside, error)) return beside;
+  const fs::path shipped = (data_directory() / written).lexically_normal();
+  // Where neither folder is there, the user's own is the one to speak of.
+  const bool is_near = fs::exists(shipped, error) || (fs::exists(shipped.parent_path(), error) &&
+                                                      !fs::exists(beside.parent_path(), error));
+  return is_near ? shipped : beside;
+}
+
 std::string nearest_file(const fs::path& missing) {
   std::vector<std::string> names;
   std::error_code error;

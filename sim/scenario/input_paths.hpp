@@ -13,6 +13,10 @@ class InputPaths {
 
   /// @throws InputError for `library:` where the shipped data cannot be found
   [[nodiscard]] std::filesystem::path absolute(const std::filesystem::path& written) const;
+  /// The same for what may lie in the shipped data by its own name as well: there, if it is not
+  /// beside the file that names it.
+  [[nodiscard]] std::filesystem::path absolute_or_shipped(
+      const std::filesystem::path& written) const;
 
  private:
   std::filesystem::path folder_;

@@ -27,7 +27,8 @@ struct Attribute {
 enum class Content {
   nothing,
   record,  ///< each child at most once, in any order; some must be there
-  list,    ///< any children any number of times, at least `at_least` in all
+  list,    ///< any children any number of times, at least `at_least` in all; where some are
+           ///< required, so many of those (any of them)
   one_of   ///< exactly one of the children
 };
 
@@ -62,10 +63,11 @@ class Schema {
   std::map<std::string, std::size_t> index_;
 };
 
-/// The table. Its roots are the types `scenario` and `library_materials`.
+/// The table. Its roots are the types `scenario`, `library_materials` and `sensor_file`.
 [[nodiscard]] const Schema& schema();
 
 inline constexpr const char* scenario_root = "scenario";
 inline constexpr const char* library_root = "library_materials";
+inline constexpr const char* sensor_root = "sensor_file";
 
 }  // namespace nadir::sim

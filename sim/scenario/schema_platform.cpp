@@ -1,3 +1,4 @@
+#include "sim/scenario/schema_platform.hpp"
 #include "sim/scenario/schema_parts.hpp"
 
 namespace nadir::sim {
@@ -13,14 +14,26 @@ std::vector<ElementType> platform() {
   return {
       {.id = "platform",
        .name = "platform",
-       .doc = "Where the camera is and which way it looks.",
+       .doc = "Where the camera is, how it moves and which way it looks. Axes of a platform and of "
+              "a camera on it: x towards increasing samples (image right), y towards increasing "
+              "lines (image down), z along the line of sight.",
+       .attributes = {optional("name", TextType{}, "", "no name", "For metadata.")},
        .content = Content::record,
-       .children = {{"position", true}, {"attitude", true}}},
+       .children = {{"position", true}, {"attitude", true}, {"jitter"}, {"mounts"}}},
       {.id = "position",
        .name = "position",
-       .doc = "Of the camera.",
+       .doc = "Of the platform: a place where it stands still, or a way in time. Times are seconds "
+              "after the scenario's.",
        .content = Content::one_of,
-       .children = {{"geodetic"}, {"local"}}},
+       .children = {{"geodetic"},
+                    {"local"},
+                    {"straight"},
+                    {"circle"},
+                    {"waypoints"},
+                    {"circular_orbit"},
+                    {"kepler_orbit"},
+                    {"tle"},
+                    {"oem"}}},
       {.id = "geodetic",
        .name = "geodetic",
        .doc = "A place by its coordinates on the earth.",
@@ -33,31 +46,17 @@ std::vector<ElementType> platform() {
                       required("up_m", coordinate(), "m", "From the site."),
                       defaulted("on_terrain", boolean(), "", "false",
                                 "up_m counts from the terrain below instead of the site.")}},
-      {.id = "attitude",
-       .name = "attitude",
-       .doc = "Of the camera.",
-       .content = Content::one_of,
-       .children = {{"look_at"}, {"euler"}}},
-      {.id = "look_at",
-       .name = "look_at",
-       .doc = "The middle of the image looks at this place.",
-       .attributes = {defaulted("roll_deg", full_turn(), "deg", "0",
-                                "Clockwise about the line of sight. At 0 the top of the image is "
-                                "as high as it goes, or north when looking straight down.")},
-       .content = Content::one_of,
-       .children = {{"geodetic"}, {"local"}}},
-      {.id = "euler",
-       .name = "euler",
-       .doc = "Angles of the line of sight.",
-       .attributes = {required("yaw_deg", full_turn(), "deg", "Clockwise from north."),
-                      required("pitch_deg", from_to(-90.0, 90.0), "deg",
-                               "Up from the horizon; -90 looks straight down."),
-                      defaulted("roll_deg", full_turn(), "deg", "0", "Right side down.")}},
   };
 }
 
 }  // namespace
 
-std::vector<ElementType> schema_of_platform() { return platform(); }
+std::vector<ElementType> schema_of_platform() {
+  std::vector<ElementType> all = platform();
+  for (auto&& part : {schema_of_ways(), schema_of_attitude(), schema_of_mounts()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
 
 }  // namespace nadir::sim

@@ -19,7 +19,9 @@ std::string heading(const Schema& table, const ElementType& type) {
       if (child.type == type.id) parents.push_back(other.name);
     }
   }
-  if (parents.empty()) return type.name + " (root of a library)";
+  if (parents.empty()) {
+    return type.name + (type.id == library_root ? " (root of a library)" : " (root of a file)");
+  }
   const bool prototype = type.id.starts_with("prototype_");
   if (type.id == "library_material") return "material (of a library)";
   return fmt::format("{} (in {})", type.name, prototype ? "instances" : parents.front());
@@ -57,8 +59,11 @@ std::string children_text(const Schema& table, const ElementType& type) {
     case Content::one_of:
       return fmt::format("Holds exactly one of: {}.", fmt::join(others, ", "));
     case Content::list:
-      return fmt::format("Holds any number {}of: {}.", type.at_least > 0 ? "(at least one) " : "",
-                         fmt::join(others, ", "));
+      return needed.empty()
+                 ? fmt::format("Holds any number {}of: {}.",
+                               type.at_least > 0 ? "(at least one) " : "", fmt::join(others, ", "))
+                 : fmt::format("Holds any number (at least one) of: {}. May hold: {}.",
+                               fmt::join(needed, ", "), fmt::join(others, ", "));
   }
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/scenario/schema.hpp"
 
 namespace nadir::sim {
@@ -123,10 +125,32 @@ std::string element_text(const Schema& table, const Child& child, const char* oc
   return fmt::format("      <xs:element name=\"{}\" type=\"{}\"{}/>\n", type.name, type.id, occurs);
 }
 
+bool has_required(const ElementType& type) {
+  return std::any_of(type.children.begin(), type.children.end(),
+                     [](const Child& child) { return child.required; });
+}
+
+/// A list in which some of the required children must be: others, the first of those, then any.
+std::string partly_required_xsd(const Schema& table, const ElementType& type) {
+  std::string needed, others, all;
+  for (const Child& child : type.children) {
+    const std::string text = element_text(table, child, "");
+    (child.required ? needed : others) += text;
+    all += text;
+  }
+  const auto choice = [](const std::string& occurs, const std::string& elements) {
+    return "    <xs:choice" + occurs + ">\n" + elements + "    </xs:choice>\n";
+  };
+  const std::string any = " minOccurs=\"0\" maxOccurs=\"unbounded\"";
+  return "    <xs:sequence>\n" + choice(any, others) + choice("", needed) + choice(any, all) +
+         "    </xs:sequence>\n";
+}
+
 std::string children_xsd(const Schema& table, const ElementType& type) {
   if (type.content == Content::nothing) return {};
   const bool record = type.content == Content::record;
   std::string open = record ? "xs:all" : "xs:choice";
+  if (type.content == Content::list && has_required(type)) return partly_required_xsd(table, type);
   if (type.content == Content::list) {
     open += fmt::format(" minOccurs=\"{}\" maxOccurs=\"unbounded\"", type.at_least);
   }
@@ -146,7 +170,7 @@ std::string type_xsd(const Schema& table, const ElementType& type) {
 }
 
 constexpr const char* xsd_head = R"(<?xml version="1.0" encoding="UTF-8"?>
-<!-- Scenarios and material libraries of Nadir. Written by `nadir schema` from the table that the
+<!-- Scenarios, material libraries and sensor files of Nadir. Written by `nadir schema` from the table that the
      reader itself follows; do not edit. -->
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
 
@@ -168,7 +192,7 @@ constexpr const char* xsd_head = R"(<?xml version="1.0" encoding="UTF-8"?>
 std::string write_xsd() {
   const Schema& table = schema();
   std::string text = xsd_head;
-  for (const char* root : {scenario_root, library_root}) {
+  for (const char* root : {scenario_root, library_root, sensor_root}) {
     const ElementType& type = table.type(root);
     text += fmt::format("  <xs:element name=\"{}\" type=\"{}\"/>\n", type.name, type.id);
   }

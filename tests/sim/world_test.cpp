@@ -189,8 +189,8 @@ TEST_CASE("a camera that looks straight down has north at the top, wherever it s
     const World world =
         load_world(read_scenario(folder / "down.xml", diagnostics), files, diagnostics);
     CAPTURE(east_m);
-    CHECK(length(world.camera.pose.axes.x - Vec3{1.0, 0.0, 0.0}) < 1e-12);
-    CHECK(length(world.camera.pose.axes.y - Vec3{0.0, -1.0, 0.0}) < 1e-12);
+    CHECK(length(world.camera.platform.at(0.0).axes.x - Vec3{1.0, 0.0, 0.0}) < 1e-12);
+    CHECK(length(world.camera.platform.at(0.0).axes.y - Vec3{0.0, -1.0, 0.0}) < 1e-12);
   }
 }
 

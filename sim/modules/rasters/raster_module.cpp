@@ -1,19 +1,23 @@
 #include "raster_module.hpp"
 
-#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "gdal_calls.hpp"
+#include "writers.hpp"
+
 namespace {
+
+using nadir_rasters::fail;
+using nadir_rasters::told;
 
 struct Pixels {
   std::vector<double> values, latitude_deg, longitude_deg;
@@ -22,24 +26,6 @@ struct Pixels {
 /// Part of the raster, in pixels.
 struct Cut {
   int column = 0, row = 0, columns = 0, rows = 0;
-};
-
-/// GDAL's words for the last failure, after our own.
-[[noreturn]] void fail(const std::string& what) {
-  const std::string words = CPLGetLastErrorMsg();
-  throw std::runtime_error(words.empty() ? what : what + ": " + words);
-}
-
-/// GDAL prints its errors unless told not to; here they travel as text.
-class QuietErrors {
- public:
-  QuietErrors() {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietErrors() { CPLPopErrorHandler(); }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
 };
 
 std::unique_ptr<GDALDataset> open(const char* path) {
@@ -206,21 +192,6 @@ void read(const char* path, int band_number, bool geodetic, const NadirRasterWin
   out.owner = pixels.release();
 }
 
-/// Runs the work of an entry; what it throws travels as text.
-template <class Work>
-int told(const Work& work, char* message, std::size_t message_size) {
-  try {
-    const QuietErrors quiet;
-    work();
-    return 0;
-  } catch (const std::exception& error) {
-    std::snprintf(message, message_size, "%s", error.what());
-  } catch (...) {
-    std::snprintf(message, message_size, "unknown failure in the raster module");
-  }
-  return 1;
-}
-
 int read_entry(const char* path, int band, int geodetic, const NadirRasterWindow* window,
                NadirRaster* out, char* message, std::size_t message_size) {
   *out = NadirRaster{};
@@ -240,8 +211,26 @@ void release_entry(NadirRaster* raster) {
   *raster = NadirRaster{};
 }
 
-constexpr NadirRasterModule table{nadir_raster_module_version, read_entry, release_entry,
-                                  locate_entry};
+int project_entry(const char* coordinates, int count, double* x, double* y, char* message,
+                  std::size_t message_size) {
+  return told([&] { nadir_rasters::project(coordinates, count, x, y); }, message, message_size);
+}
+
+int geotiff_entry(const NadirGeoTiff* wanted, char* message, std::size_t message_size) {
+  return told([&] { nadir_rasters::write_geotiff(*wanted); }, message, message_size);
+}
+
+int netcdf_entry(const NadirNetCdf* wanted, char* message, std::size_t message_size) {
+  return told([&] { nadir_rasters::write_netcdf(*wanted); }, message, message_size);
+}
+
+constexpr NadirRasterModule table{nadir_raster_module_version,
+                                  read_entry,
+                                  release_entry,
+                                  locate_entry,
+                                  project_entry,
+                                  geotiff_entry,
+                                  netcdf_entry};
 
 }  // namespace
 

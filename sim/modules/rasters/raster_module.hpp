@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "raster_output.hpp"
+
 extern "C" {
 
 /// A raster band on its way out of the module. What it points to lives until `release`.
@@ -40,9 +42,15 @@ struct NadirRasterModule {
   /// there is no conversion. Returns and complains as `read`.
   int (*locate)(const char* path, int count, double* column, double* row, char* message,
                 std::size_t message_size);
+  /// Longitudes and latitudes in degrees (WGS84) become x and y of a coordinate system, NaN where
+  /// there is no conversion. Returns and complains as `read`; so do the writers.
+  int (*project)(const char* coordinates, int count, double* x, double* y, char* message,
+                 std::size_t message_size);
+  int (*write_geotiff)(const NadirGeoTiff* wanted, char* message, std::size_t message_size);
+  int (*write_netcdf)(const NadirNetCdf* wanted, char* message, std::size_t message_size);
 };
 
-enum { nadir_raster_module_version = 2 };
+enum { nadir_raster_module_version = 3 };
 
 /// The one exported function.
 const NadirRasterModule* nadir_raster_module(void);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cpl_error.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+// How the module's entries call GDAL: errors become text.
+
+namespace nadir_rasters {
+
+/// GDAL's words for the last failure, after our own.
+[[noreturn]] inline void fail(const std::string& what) {
+  const std::string words = CPLGetLastErrorMsg();
+  throw std::runtime_error(words.empty() ? what : what + ": " + words);
+}
+
+/// GDAL prints its errors unless told not to; here they travel as text.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~QuietErrors() { CPLPopErrorHandler(); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+};
+
+/// Runs the work of an entry; what it throws travels as text.
+template <class Work>
+int told(const Work& work, char* message, std::size_t message_size) {
+  try {
+    const QuietErrors quiet;
+    work();
+    return 0;
+  } catch (const std::exception& error) {
+    std::snprintf(message, message_size, "%s", error.what());
+  } catch (...) {
+    std::snprintf(message, message_size, "unknown failure in the raster module");
+  }
+  return 1;
+}
+
+}  // namespace nadir_rasters

@@ -1,0 +1,128 @@
+#include "sim/run/load_platform.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/files/jitter_file.hpp"
+#include "sim/run/load_air.hpp"
+#include "sim/run/load_attitude.hpp"
+#include "sim/run/load_track.hpp"
+
+namespace nadir::sim {
+namespace {
+
+constexpr double rad_per_urad = 1e-6;
+
+sensor::JitterDescription load_jitter(const PlatformTask& task) {
+  sensor::JitterDescription description;
+  if (!task.input().jitter) return description;
+  const JitterInput& input = *task.input().jitter;
+  description.white_rms_rad = input.white_urad * rad_per_urad;
+  description.seed = input.seed;
+  if (!input.spectrum) return description;
+  const JitterFile file = read_jitter_file(task.files.note(*input.spectrum));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (file.density_rad2_hz[axis].empty()) continue;
+    description.spectra[axis] = {file.frequencies_hz, file.density_rad2_hz[axis]};
+  }
+  return description;
+}
+
+/// Right-handed turns about the own z, x and y axes, each left by the one before.
+Mat3 mount_axes(const MountInput& input) {
+  return rotation({0.0, 0.0, 1.0}, degrees(input.yaw_deg).value) *
+         rotation({1.0, 0.0, 0.0}, degrees(input.pitch_deg).value) *
+         rotation({0.0, 1.0, 0.0}, degrees(input.roll_deg).value);
+}
+
+sensor::Mount load_mount(const MountInput& input, const PlatformTask& task) {
+  sensor::Mount mount{input.offset_m, mount_axes(input), sensor::FixedMount{}};
+  if (const auto* scan = std::get_if<sensor::ScanMount>(&input.law)) mount.law = *scan;
+  if (const auto* place = std::get_if<PlaceInput>(&input.law)) {
+    mount.law = sensor::StareMount{load_place(*place, task)};
+  }
+  return mount;
+}
+
+bool scans(const PlatformInput& platform) {
+  return std::any_of(platform.mounts.begin(), platform.mounts.end(), [](const MountInput& mount) {
+    return std::holds_alternative<sensor::ScanMount>(mount.law);
+  });
+}
+
+sensor::PlatformDescription describe(const PlatformTask& task) {
+  const PlatformInput& input = task.input();
+  sensor::PlatformDescription description;
+  description.track = load_track(task);
+  description.attitude = load_attitude(task, description.track);
+  description.mounts = at_element(input.where, [&] {
+    std::vector<sensor::Mount> mounts;
+    for (const MountInput& mount : input.mounts) mounts.push_back(load_mount(mount, task));
+    return mounts;
+  });
+  description.jitter = load_jitter(task);
+  return description;
+}
+
+/// The place on the terrain above or below another one; nothing where there is no terrain.
+std::optional<Vec3> terrain_at(const TerrainProbe& terrain, Vec3 place) {
+  try {
+    return terrain.lifted({place.x, place.y, 0.0});
+  } catch (const InputError&) {
+    return std::nullopt;  // the probe's way to say so
+  }
+}
+
+void check_above_ground(const sensor::Platform& platform, const PlatformTask& task) {
+  constexpr double rounding_m = 1e-3;  // of heights that went through the earth's centre
+  const double first = task.span.first_s, last = task.span.last_s;
+  for (const double time_s : {first, 0.5 * (first + last), last}) {
+    const Vec3 camera = platform.steady(time_s).position;
+    const auto ground = terrain_at(task.terrain, camera);
+    if (!ground || camera.z >= ground->z - rounding_m) continue;
+    const std::string when = task.input().stands_still()
+                                 ? std::string{}
+                                 : fmt::format(" {:.9g} s after the scenario's time", time_s);
+    refuse_at(task.input().position_where,
+              fmt::format("camera under ground: it lies {:.3f} m below the terrain{}",
+                          ground->z - camera.z, when));
+  }
+}
+
+sensor::Platform build(const PlatformTask& task) {
+  const PlatformInput& input = task.input();
+  const bool aimed = !std::holds_alternative<QuaternionInput>(input.attitude);
+  const bool still = keeps_its_pose(input) && !input.jitter && !scans(input);
+  if (still && aimed && input.mounts.empty()) {
+    const Vec3 position = load_track(task).at(0.0).position;
+    return at_element(input.attitude_where,
+                      [&] { return sensor::Platform{still_pose(task, position)}; });
+  }
+  const sensor::PlatformDescription description = describe(task);
+  return at_element(input.where, [&] {
+    const sensor::Platform platform{description, task.frame, task.span.first_s, task.span.last_s};
+    return still ? sensor::Platform{platform.steady(task.span.first_s)} : platform;
+  });
+}
+
+}  // namespace
+
+sensor::PlatformDescription describe_platform(const Scenario& scenario,
+                                              const geometry::LocalFrame& frame,
+                                              const TerrainProbe& terrain, InputFiles& files,
+                                              sensor::TimeSpan span) {
+  return describe({scenario, frame, terrain, files, span});
+}
+
+sensor::Platform load_platform(const Scenario& scenario, const geometry::LocalFrame& frame,
+                               const TerrainProbe& terrain, InputFiles& files,
+                               sensor::TimeSpan span) {
+  const PlatformTask task{scenario, frame, terrain, files, span};
+  const sensor::Platform platform = build(task);
+  check_above_ground(platform, task);
+  return platform;
+}
+
+}  // namespace nadir::sim
