@@ -25,7 +25,8 @@ struct Quaternion {
 [[nodiscard]] double angle_between(const Quaternion& a, const Quaternion& b) noexcept;
 
 [[nodiscard]] Mat3 to_matrix(const Quaternion& q) noexcept;
-/// Source: S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1, 223 (1978).
+/// Source: S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1, 223
+/// (1978).
 /// @param m  a rotation: orthonormal, determinant 1
 [[nodiscard]] Quaternion to_quaternion(const Mat3& m) noexcept;
 

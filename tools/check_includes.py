@@ -43,6 +43,7 @@ LIBRARIES = {
     "thermal": r"(tbb|oneapi)/",
     "geometry": r"embree[34]/|GeographicLib/",
     "ephemeris": r"erfam?\.h$|GeographicLib/",
+    "sensor": r"erfam?\.h$|GeographicLib/|fmt/|math\.h$",
     "sim": r"(tbb|oneapi)/|tinyxml2\.h$|Imf|Imath|Iex|OpenEXR/|fmt/|nlohmann/|openssl/"
            r"|dlfcn\.h$|unistd\.h$|fcntl\.h$|sys/",
     "sim/cli": r"CLI/|fmt/|nlohmann/|unistd\.h$|sys/",

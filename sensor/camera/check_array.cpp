@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "sensor/camera/detector_array.hpp"
 #include "sensor/camera/focal_plane.hpp"
 
@@ -12,12 +13,6 @@ namespace {
 
 void require_array(bool holds, const std::string& message) {
   if (!holds) throw InputError{message};
-}
-
-std::string shown(double value) {
-  std::string text = std::to_string(value);
-  if (std::abs(value) < 1e-3 && value != 0.0) text = std::to_string(value * 1e6) + "e-6";
-  return text;
 }
 
 bool above_zero(double value) { return value > 0.0 && std::isfinite(value); }
@@ -30,7 +25,7 @@ void check_sizes(const DetectorArray& array) {
   require_array(std::isfinite(array.offset_x_m) && std::isfinite(array.offset_y_m),
                 "the array's offset is not finite");
   for (const double fill : {array.fill_x, array.fill_y}) {
-    require_array(fill > 0.0 && fill <= 1.0, "the sensitive part of the pitch is " + shown(fill) +
+    require_array(fill > 0.0 && fill <= 1.0, "the sensitive part of the pitch is " + number_text(fill) +
                                                  ", allowed range is (0, 1]");
   }
 }
@@ -52,8 +47,8 @@ void check_scan(const DetectorArray& array, const Pushbroom& broom) {
   require_array(above_zero(broom.line_period_s),
                 "the line period of a pushbroom must be above 0 s");
   require_array(array.timing.exposure_s <= broom.line_period_s * (1.0 + 1e-12),
-                "the exposure, " + shown(array.timing.exposure_s) +
-                    " s, is longer than the line period, " + shown(broom.line_period_s) + " s");
+                "the exposure, " + number_text(array.timing.exposure_s) +
+                    " s, is longer than the line period, " + number_text(broom.line_period_s) + " s");
 }
 
 void check_scan(const DetectorArray& array, const Whiskbroom& broom) {
@@ -61,12 +56,12 @@ void check_scan(const DetectorArray& array, const Whiskbroom& broom) {
   require_array(above_zero(broom.sample_period_s) && above_zero(broom.scan_period_s),
                 "the periods of a whiskbroom must be above 0 s");
   require_array(array.timing.exposure_s <= broom.sample_period_s * (1.0 + 1e-12),
-                "the exposure, " + shown(array.timing.exposure_s) +
-                    " s, is longer than the sample period, " + shown(broom.sample_period_s) + " s");
+                "the exposure, " + number_text(array.timing.exposure_s) +
+                    " s, is longer than the sample period, " + number_text(broom.sample_period_s) + " s");
   const double sweep_s = array.samples * broom.sample_period_s;
   require_array(sweep_s <= broom.scan_period_s * (1.0 + 1e-12),
-                "a sweep of " + std::to_string(array.samples) + " samples takes " + shown(sweep_s) +
-                    " s, longer than the scan period, " + shown(broom.scan_period_s) + " s");
+                "a sweep of " + std::to_string(array.samples) + " samples takes " + number_text(sweep_s) +
+                    " s, longer than the scan period, " + number_text(broom.scan_period_s) + " s");
   require_array(broom.lines_per_scan > 0, "a whiskbroom has at least 1 line a scan");
   require_array(array.lines % broom.lines_per_scan == 0,
                 "a whiskbroom's " + std::to_string(array.lines) +
@@ -205,14 +200,14 @@ void check_projection(const DetectorArray& array, const Tabulated& table) {
   };
   require_array(covers(table->samples, table->sample_step, array.samples),
                 "the view table ends at sample " +
-                    shown((table->samples - 1) * table->sample_step + 0.5) +
-                    ", the array's last is " + shown(array.samples - 0.5));
+                    number_text((table->samples - 1) * table->sample_step + 0.5) +
+                    ", the array's last is " + number_text(array.samples - 0.5));
   const bool broom = std::holds_alternative<Pushbroom>(array.timing.scan);
   require_array(!broom || table->lines == 1, "the view table of a pushbroom has one line");
   require_array(broom || covers(table->lines, table->line_step, array.lines),
                 "the view table ends at line " +
-                    shown((table->lines - 1) * table->line_step + 0.5) + ", the array's last is " +
-                    shown(array.lines - 0.5));
+                    number_text((table->lines - 1) * table->line_step + 0.5) + ", the array's last is " +
+                    number_text(array.lines - 0.5));
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace nadir::sensor {
 namespace {
@@ -81,7 +81,7 @@ void check(const Distortion& lens, double reach) {
     if (!folds(lens, reach, 2.0 * std::numbers::pi * i / angles)) continue;
     throw InputError{
         "the distortion folds the image over itself within its pixels, which reach to " +
-        std::to_string(reach) +
+        number_text(reach) +
         " focal lengths from the axis: order of the coefficients? (k1, k2, " + "p1, p2, k3)"};
   }
 }

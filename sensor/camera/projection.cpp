@@ -11,9 +11,9 @@ namespace nadir::sensor {
 namespace {
 
 // How far beyond its image an array's coordinates go on, of its size.
-constexpr double margin = 0.1;
+constexpr double image_margin = 0.1;
 // Places of time at which a search looks that must not overlook: of one pass over the image.
-constexpr int looks = 64;
+constexpr int search_looks = 64;
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 // A place of the image, and how far in pixels it lies outside the piece that was asked for.
@@ -114,7 +114,7 @@ class Search {
 
   // Lines within the image and its margin of which the platform knows the time.
   [[nodiscard]] Interval lines_in_time(double first_line_s, double period_s) const {
-    Interval range{-margin * array_->lines, (1.0 + margin) * array_->lines};
+    Interval range{-image_margin * array_->lines, (1.0 + image_margin) * array_->lines};
     if (platform_->is_fixed()) return range;
     const auto line_at = [&](double time_s) { return (time_s - first_line_s) / period_s + 0.5; };
     return {std::max(range.low, line_at(platform_->first_s())),
@@ -136,7 +136,7 @@ class Search {
       best = found_at(*line);
       if (best.outside == 0.0) return best;
     }
-    every_zero(miss_of, range, looks, [&](double line) {
+    every_zero(miss_of, range, search_looks, [&](double line) {
       if (std::abs(miss_of(line)) < 1e-6) keep_nearer(best, found_at(line));
       return best.outside == 0.0;
     });
@@ -196,11 +196,11 @@ class Search {
     const auto miss = [&](double sample) {
       return at(sample).place.column - 0.5 * array_->samples;
     };
-    // The sweep's own samples and no margin: before and after them the mirror turns back.
+    // The sweep's own samples and no image_margin: before and after them the mirror turns back.
     const Interval range = columns(nullptr);
     std::optional<double> sample = secant_zero(miss, range, guess, 1.0);
     if (!sample) {
-      every_zero(miss, range, looks, [&](double zero) {
+      every_zero(miss, range, search_looks, [&](double zero) {
         if (std::abs(miss(zero)) < 1e-6) sample = zero;
         return sample.has_value();
       });
@@ -224,7 +224,7 @@ class Search {
 
   [[nodiscard]] Found find(const Whiskbroom& broom) const {
     const int scans = array_->lines / broom.lines_per_scan;
-    int first = -static_cast<int>(margin * scans), last = scans - 1 - first;
+    int first = -static_cast<int>(image_margin * scans), last = scans - 1 - first;
     while (first < last && !known(broom, first)) ++first;
     while (first < last && !known(broom, last)) --last;
     double guess = 0.5 * array_->samples;
@@ -262,7 +262,7 @@ class Search {
   Vec3 place_;
 };
 
-bool within(double coordinate, double size, double beyond) {
+bool lies_within(double coordinate, double size, double beyond) {
   return coordinate >= -beyond * size && coordinate <= (1.0 + beyond) * size;
 }
 
@@ -271,8 +271,8 @@ bool within(double coordinate, double size, double beyond) {
 std::optional<ImagePoint> image_of(const DetectorArray& array, const Platform& platform,
                                    Vec3 place) {
   const Found found = Search{array, platform, place}.run();
-  if (!std::isfinite(found.outside) || !within(found.image.sample, array.samples, margin) ||
-      !within(found.image.line, array.lines, margin)) {
+  if (!std::isfinite(found.outside) || !lies_within(found.image.sample, array.samples, image_margin) ||
+      !lies_within(found.image.line, array.lines, image_margin)) {
     return std::nullopt;
   }
   return found.image;
@@ -280,8 +280,8 @@ std::optional<ImagePoint> image_of(const DetectorArray& array, const Platform& p
 
 bool in_view(const DetectorArray& array, const Platform& platform, Vec3 place) {
   const auto image = image_of(array, platform, place);
-  return image && within(image->sample, array.samples, 0.0) &&
-         within(image->line, array.lines, 0.0);
+  return image && lies_within(image->sample, array.samples, 0.0) &&
+         lies_within(image->line, array.lines, 0.0);
 }
 
 }  // namespace nadir::sensor

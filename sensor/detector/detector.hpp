@@ -54,11 +54,11 @@ struct NoiseFigure {
 
 /// Numbers that leave the instrument.
 struct Digitiser {
-  int bits = 12;                    ///< 1 .. 16
-  double black_level_dn = 0.0;      ///< added before the conversion
-  std::optional<double> gain_dn_e;  ///< DN per electron; none: the full well fills the range
-  double saturation = 0.0;          ///< of PublishedNoise: radiance of the largest number, > 0
-  bool flat = true;                 ///< fall-off towards the corners is taken out of the numbers
+  int bits = 12;                      ///< 1 .. 16
+  double black_level_dn = 0.0;        ///< added before the conversion
+  std::optional<double> gain_dn_e{};  ///< DN per electron; none: the full well fills the range
+  double saturation = 0.0;            ///< of PublishedNoise: radiance of the largest number, > 0
+  bool flat = true;                   ///< fall-off towards the corners is taken out of the numbers
 };
 
 /// All that turns a band's radiance into numbers.

@@ -21,8 +21,7 @@ Mat3 axes_turned(Vec3 about, double angle_rad) { return rotation(about, -angle_r
 
 StateVector over_turning_earth(const StateVector& state, const Mat3& to_earth) {
   const Vec3 position = to_earth * state.position;
-  return {position,
-          to_earth * state.velocity - cross(earth_rate_rad_s * pole, position)};
+  return {position, to_earth * state.velocity - cross(earth_rate_rad_s * pole, position)};
 }
 
 /// IERS Conventions (2010), eq. 5.15.
@@ -60,8 +59,7 @@ Angle mean_sidereal_time(ephemeris::Ut1Date ut1) noexcept {
   const double t = ((ut1.day - j2000) + ut1.fraction) / days_per_century;
   // The 876600 hours are one turn a day: only the share of the day remains.
   const double day_share = std::fmod(ut1.day - j2000, 1.0) + ut1.fraction;
-  const double seconds =
-      67310.54841 + t * (8640184.812866 + t * (0.093104 - t * 6.2e-6));
+  const double seconds = 67310.54841 + t * (8640184.812866 + t * (0.093104 - t * 6.2e-6));
   return Angle{in_one_turn(seconds / seconds_per_day + day_share)};
 }
 

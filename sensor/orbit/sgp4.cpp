@@ -34,9 +34,8 @@ ephemeris::Instant epoch_of(int year, double day_of_year) {
   const double whole = std::floor(day_of_year);
   int day = static_cast<int>(whole), month = 0;
   while (day > lengths[month]) day -= lengths[month++];
-  const ephemeris::Instant midnight =
-      ephemeris::Instant::parse_utc(std::to_string(year) + "-" + two_digits(month + 1) + "-" +
-                                    two_digits(day) + "T00:00:00Z");
+  const ephemeris::Instant midnight = ephemeris::Instant::parse_utc(
+      std::to_string(year) + "-" + two_digits(month + 1) + "-" + two_digits(day) + "T00:00:00Z");
   return midnight + Seconds{86400.0 * (day_of_year - whole)};
 }
 
@@ -50,9 +49,12 @@ Elements elements_of(const TwoLineElements& set) {
                            "; it must lie in [0, 1)"};
   }
   constexpr double degree = radians_per_degree;
-  return {set.mean_motion_rev_day * sgp4::two_pi / sgp4::minutes_per_day, set.eccentricity,
-          set.inclination_deg * degree, set.ascending_node_deg * degree,
-          set.argument_of_perigee_deg * degree, set.mean_anomaly_deg * degree};
+  return {set.mean_motion_rev_day * sgp4::two_pi / sgp4::minutes_per_day,
+          set.eccentricity,
+          set.inclination_deg * degree,
+          set.ascending_node_deg * degree,
+          set.argument_of_perigee_deg * degree,
+          set.mean_anomaly_deg * degree};
 }
 
 void check_eccentricity(double value, double least, const char* which) {
@@ -77,11 +79,12 @@ struct Sgp4::Model {
         near_earth{start, set.drag_term, deep},
         terms{sgp4::inclination_terms(start.inclination)} {
     if (!deep) return;
-    const ephemeris::UtcDate date = epoch.utc();
-    const sgp4::SunAndMoonPull pull{start, (date.day - 2433281.5) + date.fraction};
-    const double sidereal = mean_sidereal_time({date.day, date.fraction}).value;
-    deep_space.emplace(DeepSpace{
-        pull, sgp4::Resonance{{start, near_earth.rates(), pull.rates(), sidereal}}});
+    // A Julian date in one double, good to 40 us, as in the programs that elements are made with.
+    const double date = epoch.utc().value(), midnight = std::floor(date - 0.5) + 0.5;
+    const sgp4::SunAndMoonPull pull{start, date - 2433281.5};
+    const double sidereal = mean_sidereal_time({midnight, date - midnight}).value;
+    deep_space.emplace(
+        DeepSpace{pull, sgp4::Resonance{{start, near_earth.rates(), pull.rates(), sidereal}}});
   }
 
   [[nodiscard]] Elements mean(double minutes) const;
@@ -135,8 +138,8 @@ Elements Sgp4::Model::mean(double minutes) const {
   const sgp4::Drifted drifted = near_earth.at(minutes);
   Elements now = drifted.elements;
   if (deep) {
-    now = deep_space->resonance.applied(
-        with_rates(now, deep_space->pull.rates(), minutes), minutes);
+    now =
+        deep_space->resonance.applied(with_rates(now, deep_space->pull.rates(), minutes), minutes);
   }
   now = with_drag(now, drifted, start.mean_motion);
   if (!deep) return now;

@@ -84,10 +84,10 @@ void NearEarth::set_drag(const Drag& drag, double axis, const InclinationTerms& 
   const double e = epoch_.eccentricity, n = epoch_.mean_motion, beta2 = 1.0 - e * e;
   const double eta = drag.eta, eta2 = eta * eta, e_eta = e * eta, psi2 = std::abs(1.0 - eta2);
   eta_ = eta;
-  const double c2 = drag.weighted * n *
-                    (axis * (1.0 + 1.5 * eta2 + e_eta * (4.0 + eta2)) +
-                     0.375 * wgs72::j2 * drag.xi / psi2 * terms.x3thm1 *
-                         (8.0 + 3.0 * eta2 * (8.0 + eta2)));
+  const double c2 =
+      drag.weighted * n *
+      (axis * (1.0 + 1.5 * eta2 + e_eta * (4.0 + eta2)) +
+       0.375 * wgs72::j2 * drag.xi / psi2 * terms.x3thm1 * (8.0 + 3.0 * eta2 * (8.0 + eta2)));
   c1_ = drag_term_ * c2;
   const double oblate =
       -3.0 * terms.x3thm1 * (1.0 - 2.0 * e_eta + eta2 * (1.5 - 0.5 * e_eta)) +
@@ -126,9 +126,8 @@ Drifted NearEarth::at(double t) const noexcept {
     const double base = 1.0 + eta_ * std::cos(anomaly);
     return base * base * base;
   };
-  const double shift =
-      perigee_drag_ * t +
-      anomaly_drag_ * (swell(now.elements.mean_anomaly) - swell(epoch_.mean_anomaly));
+  const double shift = perigee_drag_ * t + anomaly_drag_ * (swell(now.elements.mean_anomaly) -
+                                                            swell(epoch_.mean_anomaly));
   now.elements.mean_anomaly += shift;
   now.elements.perigee -= shift;
   now.axis_factor -= t * t * (d2_ + t * (d3_ + t * d4_));

@@ -24,8 +24,8 @@ PlaneOrbit with_long_periods(const Elements& mean, double axis, const Inclinatio
   const double per_p = 1.0 / (axis * (1.0 - mean.eccentricity * mean.eccentricity));
   PlaneOrbit orbit{axis, mean.eccentricity * std::cos(mean.perigee),
                    mean.eccentricity * std::sin(mean.perigee), mean.mean_anomaly + mean.perigee};
-  orbit.longitude += per_p * 0.5 * half_ratio * terms.sine * (3.0 + 5.0 * terms.cosine) / divisor *
-                     orbit.axn;
+  orbit.longitude +=
+      per_p * 0.5 * half_ratio * terms.sine * (3.0 + 5.0 * terms.cosine) / divisor * orbit.axn;
   orbit.ayn += per_p * half_ratio * terms.sine;
   return orbit;
 }
@@ -101,8 +101,7 @@ StateVector osculating_state(const Elements& mean, const InclinationTerms& terms
   state.radius_rate -= n * first * terms.x1mth2 * sin_2u;
   state.transverse_rate += n * first * (terms.x1mth2 * cos_2u + 1.5 * terms.x3thm1);
   const double node = mean.node + 1.5 * second * terms.cosine * sin_2u;
-  const double inclination =
-      mean.inclination + 1.5 * second * terms.cosine * terms.sine * cos_2u;
+  const double inclination = mean.inclination + 1.5 * second * terms.cosine * terms.sine * cos_2u;
   if (state.radius < 1.0) {
     throw PropagationError{"SGP4: the satellite has decayed: it would be " +
                            number_text(std::round(state.radius * wgs72::radius_km)) +

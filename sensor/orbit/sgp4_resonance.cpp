@@ -63,8 +63,8 @@ Inclinations inclination_functions(double inclination) {
   f.f322 = -1.875 * s * (1.0 + 2.0 * c - 3.0 * c2);
   f.f441 = 35.0 * s2 * f.f220;
   f.f442 = 39.3750 * s2 * s2;
-  f.f522 = 9.84375 * s *
-           (s2 * (1.0 - 2.0 * c - 5.0 * c2) + 0.33333333 * (-2.0 + 4.0 * c + 6.0 * c2));
+  f.f522 =
+      9.84375 * s * (s2 * (1.0 - 2.0 * c - 5.0 * c2) + 0.33333333 * (-2.0 + 4.0 * c + 6.0 * c2));
   f.f523 = s * (4.92187512 * s2 * (-2.0 - 4.0 * c + 10.0 * c2) +
                 6.56250012 * (1.0 + 2.0 * c - 3.0 * c2));
   f.f542 = 29.53125 * s * (2.0 - 8.0 * c + c2 * (-12.0 + 8.0 * c + 10.0 * c2));
@@ -142,8 +142,7 @@ Resonance::Slope Resonance::slope(const State& state, double minutes) const noex
   const double perigee = perigee_ + perigee_rate_ * minutes;
   Slope result{state.mean_motion + drift_, 0.0, 0.0};
   for (const Term& term : terms_) {
-    const double angle =
-        term.perigees * perigee + term.longitudes * state.longitude - term.phase;
+    const double angle = term.perigees * perigee + term.longitudes * state.longitude - term.phase;
     result.mean_motion += term.amplitude * std::sin(angle);
     result.mean_motion_bend += term.longitudes * term.amplitude * std::cos(angle);
   }
@@ -171,10 +170,9 @@ Elements Resonance::applied(const Elements& secular, double minutes) const noexc
   const double turned = std::fmod(sidereal_angle_ + minutes * earth_rate_rad_min, two_pi);
   Elements now = secular;
   now.mean_motion = state.mean_motion;
-  now.mean_anomaly =
-      kind_ == Kind::one_day
-          ? state.longitude - secular.node - secular.perigee + turned
-          : state.longitude - 2.0 * secular.node + 2.0 * turned;
+  now.mean_anomaly = kind_ == Kind::one_day
+                         ? state.longitude - secular.node - secular.perigee + turned
+                         : state.longitude - 2.0 * secular.node + 2.0 * turned;
   return now;
 }
 

@@ -14,9 +14,9 @@ namespace nadir::sensor::sgp4 {
 class Resonance {
  public:
   struct Orbit {
-    Elements at_epoch;    ///< with Brouwer's mean motion
-    AngleRates zonal;     ///< drift by J2 and J4
-    Elements third_body;  ///< drift by sun and moon
+    Elements at_epoch;            ///< with Brouwer's mean motion
+    AngleRates zonal;             ///< drift by J2 and J4
+    Elements third_body;          ///< drift by sun and moon
     double sidereal_angle = 0.0;  ///< Greenwich mean sidereal time at the epoch
   };
   /// Where the orbit is not in resonance it does nothing.

@@ -50,10 +50,8 @@ ThirdBodyChange scaled(const ThirdBodyChange& a, double s) {
 void add_by_lyddane(Elements& orbit, const ThirdBodyChange& change) {
   const double sine = std::sin(orbit.inclination), cosine = std::cos(orbit.inclination);
   const double sin_h = std::sin(orbit.node), cos_h = std::cos(orbit.node);
-  const double alpha =
-      sine * sin_h + change.node * cos_h + change.inclination * cosine * sin_h;
-  const double beta =
-      sine * cos_h - change.node * sin_h + change.inclination * cosine * cos_h;
+  const double alpha = sine * sin_h + change.node * cos_h + change.inclination * cosine * sin_h;
+  const double beta = sine * cos_h - change.node * sin_h + change.inclination * cosine * cos_h;
   const double before = std::fmod(orbit.node, two_pi);
   // The sum M + w + cos i h, which has no singularity, tells the argument of perigee.
   const double regular = orbit.mean_anomaly + orbit.perigee + cosine * before +
@@ -71,11 +69,10 @@ SunAndMoonPull::SunAndMoonPull(const Elements& at_epoch, double days_from_1950) 
   const double day = days_from_1950 + 18261.5;  // from 1900 January 0, 12 h
   const double sin_node = std::sin(at_epoch.node), cos_node = std::cos(at_epoch.node);
 
-  const Body sun{2.9864797e-6,  1.19459e-5,
-                 0.01675,       std::fmod(6.2565837 + 0.017201977 * day, two_pi),
-                 0.1945905,     -0.98088458,
-                 0.91744867,    0.39785416,
-                 cos_node,      sin_node};
+  const Body sun{
+      2.9864797e-6, 1.19459e-5,  0.01675,    std::fmod(6.2565837 + 0.017201977 * day, two_pi),
+      0.1945905,    -0.98088458, 0.91744867, 0.39785416,
+      cos_node,     sin_node};
 
   // The moon's orbit regresses on the ecliptic: its inclination, node and perigee to the equator.
   const double node = std::fmod(4.5236020 - 9.2422029e-4 * day, two_pi);
@@ -105,8 +102,7 @@ SunAndMoonPull::SunAndMoonPull(const Elements& at_epoch, double days_from_1950) 
   }
 }
 
-SunAndMoonPull::Coupling SunAndMoonPull::coupling(const Elements& orbit,
-                                                  const Body& b) noexcept {
+SunAndMoonPull::Coupling SunAndMoonPull::coupling(const Elements& orbit, const Body& b) noexcept {
   const double ci = std::cos(orbit.inclination), si = std::sin(orbit.inclination);
   const double cw = std::cos(orbit.perigee), sw = std::sin(orbit.perigee);
   const double e = orbit.eccentricity, e2 = e * e, beta2 = 1.0 - e2;
@@ -127,12 +123,11 @@ SunAndMoonPull::Coupling SunAndMoonPull::coupling(const Elements& orbit,
   c.z32 = 24.0 * x1 * x2 - 6.0 * x3 * x4;
   c.z33 = 12.0 * x2 * x2 - 3.0 * x4 * x4;
   c.z11 = -6.0 * a1 * a5 + e2 * (-24.0 * x1 * x7 - 6.0 * x3 * x5);
-  c.z12 = -6.0 * (a1 * a6 + a3 * a5) +
-          e2 * (-24.0 * (x2 * x7 + x1 * x8) - 6.0 * (x3 * x6 + x4 * x5));
+  c.z12 =
+      -6.0 * (a1 * a6 + a3 * a5) + e2 * (-24.0 * (x2 * x7 + x1 * x8) - 6.0 * (x3 * x6 + x4 * x5));
   c.z13 = -6.0 * a3 * a6 + e2 * (-24.0 * x2 * x8 - 6.0 * x4 * x6);
   c.z21 = 6.0 * a2 * a5 + e2 * (24.0 * x1 * x5 - 6.0 * x3 * x7);
-  c.z22 = 6.0 * (a4 * a5 + a2 * a6) +
-          e2 * (24.0 * (x2 * x5 + x1 * x6) - 6.0 * (x4 * x7 + x3 * x8));
+  c.z22 = 6.0 * (a4 * a5 + a2 * a6) + e2 * (24.0 * (x2 * x5 + x1 * x6) - 6.0 * (x4 * x7 + x3 * x8));
   c.z23 = 6.0 * a4 * a6 + e2 * (24.0 * x2 * x6 - 6.0 * x4 * x8);
   c.z1 = 6.0 * (a1 * a1 + a2 * a2) + (1.0 + e2) * c.z31;
   c.z2 = 12.0 * (a1 * a3 + a2 * a4) + (1.0 + e2) * c.z32;

@@ -69,13 +69,15 @@ Mat3 axes_of(const LookAtAttitude& law, const AttitudePlace& place) {
 Quaternion orientation_at(const TabulatedAttitude& table, double time_s) {
   const auto& times = table.times_s;
   if (times.size() == 1) return table.orientations.front();
-  if (!(time_s >= times.front() && time_s <= times.back())) {
+  // A nanosecond beyond: times of lines are sums, and rounded.
+  if (!(time_s >= times.front() - 1e-9 && time_s <= times.back() + 1e-9)) {
     throw InputError{"the table of attitudes runs from " + number_text(times.front()) + " to " +
                      number_text(times.back()) + " s, not to " + number_text(time_s) + " s"};
   }
   const auto above = std::upper_bound(times.begin() + 1, times.end() - 1, time_s);
   const auto i = static_cast<std::size_t>(above - times.begin());
-  const double share = (time_s - times[i - 1]) / (times[i] - times[i - 1]);
+  const double inside_s = std::clamp(time_s, times.front(), times.back());
+  const double share = (inside_s - times[i - 1]) / (times[i] - times[i - 1]);
   return slerp(table.orientations[i - 1], table.orientations[i], share);
 }
 
@@ -120,8 +122,8 @@ void make_continuous(TabulatedAttitude& table, std::size_t i) {
   const double length = std::sqrt(dot(q, q));
   // 1e-3: more than rounding to four digits leaves; something else was meant.
   if (!(std::abs(length - 1.0) <= 1e-3)) {
-    throw InputError{"quaternion " + std::to_string(i + 1) + " of the table of attitudes has length " +
-                     number_text(length) + ", not 1"};
+    throw InputError{"quaternion " + std::to_string(i + 1) +
+                     " of the table of attitudes has length " + number_text(length) + ", not 1"};
   }
   q = normalised(q);
   if (i == 0) return;
@@ -139,13 +141,14 @@ void make_continuous(TabulatedAttitude& table, std::size_t i) {
 void check(TabulatedAttitude& table) {
   const auto& times = table.times_s;
   if (times.size() != table.orientations.size()) {
-    throw InputError{"the table of attitudes has " + std::to_string(times.size()) +
-                     " times but " + std::to_string(table.orientations.size()) + " quaternions"};
+    throw InputError{"the table of attitudes has " + std::to_string(times.size()) + " times but " +
+                     std::to_string(table.orientations.size()) + " quaternions"};
   }
   if (times.empty()) throw InputError{"the table of attitudes is empty"};
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i])) {
-      throw InputError{"time " + std::to_string(i + 1) + " of the table of attitudes is not finite"};
+      throw InputError{"time " + std::to_string(i + 1) +
+                       " of the table of attitudes is not finite"};
     }
     if (i > 0 && !(times[i] > times[i - 1])) {
       throw InputError{"the times of the table of attitudes must ascend: " + number_text(times[i]) +

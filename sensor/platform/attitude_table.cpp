@@ -9,8 +9,9 @@
 namespace nadir::sensor {
 
 AttitudeTable::AttitudeTable(const Law& law, const std::vector<double>& borders_s) {
-  // A smooth law over the whole span in one piece may agree with the first guess by chance.
-  constexpr int least_steps = 4;
+  if (borders_s.size() == 1) add({borders_s.front(), law(borders_s.front(), Side::after)});
+  // A law over a long span in one piece might agree with the first guess by chance.
+  const int least_steps = borders_s.size() > 16 ? 1 : 4;
   for (std::size_t i = 0; i + 1 < borders_s.size(); ++i) {
     const double start_s = borders_s[i], end_s = borders_s[i + 1];
     Node from{start_s, law(start_s, Side::after)};
@@ -55,11 +56,9 @@ void AttitudeTable::add_until(const Law& law, const Node& from, const Node& to) 
     return angle_between(slerp(from.orientation, end, share), exact) < tolerance_rad;
   };
   // Uneven places: what repeats itself in the step cannot agree with all of them.
-  const auto exact = [&](double share) {
-    return law(from.time_s + share * step_s, Side::after);
-  };
-  if (step_s <= shortest_step_s || (agrees(0.5, middle.orientation) &&
-                                    agrees(0.21, exact(0.21)) && agrees(0.83, exact(0.83)))) {
+  const auto exact = [&](double share) { return law(from.time_s + share * step_s, Side::after); };
+  if (step_s <= shortest_step_s ||
+      (agrees(0.5, middle.orientation) && agrees(0.21, exact(0.21)) && agrees(0.83, exact(0.83)))) {
     add(to);
     return;
   }
@@ -68,28 +67,24 @@ void AttitudeTable::add_until(const Law& law, const Node& from, const Node& to) 
 }
 
 void AttitudeTable::prepare_guide() {
+  if (times_s_.size() < 2) return;
   const std::size_t parts = times_s_.size();
-  const double span_s = times_s_.back() - times_s_.front();
-  parts_per_s_ = static_cast<double>(parts) / span_s;
+  parts_per_s_ = static_cast<double>(parts) / (times_s_.back() - times_s_.front());
   std::uint32_t node = 0;
   for (std::size_t part = 0; part <= parts; ++part) {
-    // Half a part early: a moment that rounding puts into this part must not be before the node.
-    const double time_s =
-        times_s_.front() + (static_cast<double>(part) - 0.5) / parts_per_s_;
+    const double time_s = times_s_.front() + static_cast<double>(part) / parts_per_s_;
     while (node + 2 < times_s_.size() && times_s_[node + 1] <= time_s) ++node;
     guide_.push_back(node);
   }
 }
 
 Quaternion AttitudeTable::at(double time_s) const noexcept {
+  if (guide_.empty()) return orientations_.front();
   const double parts = (time_s - times_s_.front()) * parts_per_s_;
-  const std::size_t last_part = guide_.size() - 2;
   const std::size_t part =
-      parts > 0.0 ? std::min(last_part, static_cast<std::size_t>(parts)) : 0;
-  std::size_t low = guide_[part];
-  // The node after the next part's first, which lies half a part beyond that part's beginning...
-  std::size_t high = std::min<std::size_t>(times_s_.size() - 1, guide_[part + 1] + 1);
-  while (high < times_s_.size() - 1 && times_s_[high] <= time_s) ++high;
+      parts > 0.0 ? std::min(guide_.size() - 2, static_cast<std::size_t>(parts)) : 0;
+  // A moment that rounding puts into the next part is a rounding away from that part's nodes.
+  std::size_t low = guide_[part], high = std::size_t{guide_[part + 1]} + 1;
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
     (times_s_[middle] <= time_s ? low : high) = middle;

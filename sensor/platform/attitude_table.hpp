@@ -25,7 +25,8 @@ class AttitudeTable {
   static constexpr double tolerance_rad = 5e-10;
 
   AttitudeTable() = default;
-  /// @param borders_s  ascending, at least two, from the first moment to the last: where pieces meet
+  /// @param borders_s  ascending, from the first moment to the last: where pieces meet. One alone:
+  ///                   the orientation at that moment, for all
   /// @throws InputError where most_nodes are not enough; whatever the law throws
   AttitudeTable(const Law& law, const std::vector<double>& borders_s);
 

@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 constexpr double steps_a_period = 16.0;
 // Steps of the table before the span's first moment and after its last: what the cubic reaches.
 constexpr std::size_t margin_steps = 2;
-constexpr double Vec3::* components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 void check_spectrum(const JitterSpectrum& spectrum) {
   const auto& frequencies = spectrum.frequencies_hz;
@@ -101,8 +101,8 @@ void sum_of_waves(std::vector<Complex>& c) {
   }
   std::vector<Complex> turns(count / 2);  // each by its own angle: no rounding adds up
   for (std::size_t k = 0; k < turns.size(); ++k) {
-    turns[k] = std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(k) /
-                                   static_cast<double>(count));
+    turns[k] = std::polar(
+        1.0, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
   }
   for (std::size_t half = 1; half < count; half *= 2) {
     const std::size_t stride = count / (2 * half);

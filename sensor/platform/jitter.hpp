@@ -28,15 +28,16 @@ struct JitterDescription {
 /// One realisation of shaking with given spectra, tabulated over a span of time: every line of an
 /// image sees the same motion at the same moment. Sums of cosines at even frequencies with random
 /// phases (Shinozuka and Deodatis, Applied Mechanics Reviews 44, 191, 1991), each with the power of
-/// its share of the spectrum; cubic between the table's steps, of which there are 16 in the shortest
-/// period: off by less than 6e-4 of the rms. It does not repeat itself within the span.
+/// its share of the spectrum; cubic between the table's steps, of which there are 16 in the
+/// shortest period: off by less than 6e-4 of the rms. It does not repeat itself within the span.
 class Jitter {
  public:
   /// The table holds no more steps, 96 MB: 250 s at 1 kHz.
   static constexpr std::size_t most_steps = 4'000'000;
 
   Jitter() = default;  ///< none
-  /// @throws InputError for spectra that are not: sizes, order, negative or not finite values; for a
+  /// @throws InputError for spectra that are not: sizes, order, negative or not finite values; for
+  /// a
   ///         span that would need a larger table
   Jitter(const JitterDescription& description, double first_s, double last_s);
 

@@ -12,9 +12,9 @@ namespace nadir::sensor {
 struct FixedMount {};
 
 /// A mirror or gimbal that swings about an axis of its own at constant rate: from the first angle
-/// to the last, then at once back to wait at the first for the next period (`sweep`); or to and fro,
-/// one way in each period, waiting where it has come to (`swing`). So for ever, before `start_s`
-/// too. Whiskbrooms use it for the scan.
+/// to the last, then at once back to wait at the first for the next period (`sweep`); or to and
+/// fro, one way in each period, waiting where it has come to (`swing`). So for ever, before
+/// `start_s` too. Whiskbrooms use it for the scan.
 struct ScanMount {
   enum class Motion { sweep, swing };
   Motion motion = Motion::sweep;

@@ -155,8 +155,7 @@ TrackState Track::state(double time_s, std::size_t interval) const noexcept {
   for (std::size_t j = 0; j < count; ++j) {
     const Vec3 offset = w.positions[j] - origin;
     state.position += offset * (w.weights[j] * before * after[j]);
-    state.velocity +=
-        offset * (w.weights[j] * (before_slope * after[j] + before * after_slope[j]));
+    state.velocity += offset * (w.weights[j] * (before_slope * after[j] + before * after_slope[j]));
     before_slope = before_slope * w.away[j] + before;
     before *= w.away[j];
   }

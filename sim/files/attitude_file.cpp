@@ -8,21 +8,22 @@
 namespace nadir::sim {
 namespace {
 
-const ColumnGroup quaternion_columns{"w", "x", "y", "z"};
-const ColumnGroup angle_columns{"yaw_deg", "pitch_deg", "roll_deg"};
+const ColumnGroup attitude_quaternion_columns{"w", "x", "y", "z"};
+const ColumnGroup attitude_angle_columns{"yaw_deg", "pitch_deg", "roll_deg"};
 
 std::vector<NumberColumn> known_attitude_columns(const ephemeris::Instant& origin) {
   constexpr double slack = 1e-3;  // of the length, which rounding in a file may give
   std::vector<NumberColumn> known = moment_columns(origin);
-  for (const std::string& column : quaternion_columns) {
+  for (const std::string& column : attitude_quaternion_columns) {
     known.push_back({column, false, -1.0 - slack, 1.0 + slack});
   }
-  for (const std::string& column : angle_columns) known.push_back({column, false, -360.0, 360.0});
+  for (const std::string& column : attitude_angle_columns)
+    known.push_back({column, false, -360.0, 360.0});
   return known;
 }
 
-Quaternion quaternion_of(const NumberTable& table, const NumberTable::Row& row,
-                         FileIssues& issues) {
+Quaternion row_quaternion(const NumberTable& table, const NumberTable::Row& row,
+                          FileIssues& issues) {
   constexpr double slack = 1e-3;  // more is no rounding: the columns are mixed up
   const Quaternion q{table.value(row, "w", 0.0), table.value(row, "x", 0.0),
                      table.value(row, "y", 0.0), table.value(row, "z", 0.0)};
@@ -41,7 +42,8 @@ AttitudeFile parse_attitude_file(std::string_view text, const std::string& name,
                                  const ephemeris::Instant& origin) {
   const NumberTable table{text, name, known_attitude_columns(origin)};
   FileIssues issues{name};
-  const std::size_t group = only_group(table, {quaternion_columns, angle_columns}, issues);
+  const std::size_t group =
+      only_group(table, {attitude_quaternion_columns, attitude_angle_columns}, issues);
   AttitudeFile attitude{ascending_moments(table, issues), {}, {}};
   issues.throw_if_any();
   std::vector<Quaternion> quaternions;
@@ -49,7 +51,7 @@ AttitudeFile parse_attitude_file(std::string_view text, const std::string& name,
   for (const NumberTable::Row& row : table.rows()) {
     attitude.lines.push_back(row.line);
     if (group == 0) {
-      quaternions.push_back(quaternion_of(table, row, issues));
+      quaternions.push_back(row_quaternion(table, row, issues));
     } else {
       angles.push_back({table.value(row, "yaw_deg", 0.0), table.value(row, "pitch_deg", 0.0),
                         table.value(row, "roll_deg", 0.0)});

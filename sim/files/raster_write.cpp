@@ -129,7 +129,7 @@ class PlainNetCdf {
       for (const std::string& text : *texts) kept.push_back(text.c_str());
       to.texts = kept.data();
     } else {
-      const auto& planes = std::get<PlaneSource>(from.values);
+      const auto& planes = std::get<RasterPlanes>(from.values);
       to.source = paths_.emplace_back(planes.file.string()).c_str();
       to.first_plane = planes.first_plane;
     }

@@ -55,7 +55,7 @@ void write_geotiff(const std::filesystem::path& target, const GeoTiff& wanted);
 using NetCdfValue = std::variant<std::string, double, int>;
 using NetCdfAttributes = std::vector<std::pair<std::string, NetCdfValue>>;
 
-struct PlaneSource {
+struct RasterPlanes {
   std::filesystem::path file;  ///< its rows and columns are the variable's last two dimensions
   int first_plane = 1;         ///< and one for each index of a third dimension, the first
 };
@@ -66,7 +66,7 @@ struct NetCdfVariable {
   std::vector<int> dimensions;  ///< indices into the file's, slowest first
   Type type = Type::float32;
   /// All values, row-major, or texts, or where planes of values lie.
-  std::variant<std::vector<double>, std::vector<std::string>, PlaneSource> values;
+  std::variant<std::vector<double>, std::vector<std::string>, RasterPlanes> values;
   NetCdfAttributes attributes{};
   bool nan_is_fill = false;
 };

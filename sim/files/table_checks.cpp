@@ -7,7 +7,7 @@
 namespace nadir::sim {
 namespace {
 
-std::string listed(const ColumnGroup& group) {
+std::string columns_text(const ColumnGroup& group) {
   std::string text;
   for (const std::string& column : group) text += (text.empty() ? "" : ", ") + column;
   return text;
@@ -25,7 +25,7 @@ std::size_t only_group(const NumberTable& table, const std::vector<ColumnGroup>&
   std::vector<std::size_t> found;
   std::string all;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    all += (all.empty() ? "" : " or ") + listed(groups[i]);
+    all += (all.empty() ? "" : " or ") + columns_text(groups[i]);
     if (has_any(table, groups[i])) found.push_back(i);
   }
   if (found.empty()) {
@@ -33,8 +33,8 @@ std::size_t only_group(const NumberTable& table, const std::vector<ColumnGroup>&
     return 0;
   }
   if (found.size() > 1) {
-    issues.add(table.header(), "give either the columns " + listed(groups[found[0]]) + " or " +
-                                   listed(groups[found[1]]) + ", not both");
+    issues.add(table.header(), "give either the columns " + columns_text(groups[found[0]]) +
+                                   " or " + columns_text(groups[found[1]]) + ", not both");
     return found[0];
   }
   for (const std::string& column : groups[found[0]]) {

@@ -247,14 +247,15 @@ std::vector<EnviProduct> envi_products(const ArrayImage& first, const ArrayTask&
   const ProductsInput& wanted = task.context->wanted;
   ProductMaker maker{first, task};
   maker.add_radiance();
-  if (wanted.truth) {
+  if (wanted.envi && wanted.truth) {
     maker.add_truth();
     maker.add_ids();
     if (wanted.fractions) maker.add_fractions();
   }
   if (wanted.truth || wants_geo_products(*task.context)) maker.add_place();
-  maker.add_temperature();
   maker.add_dn();
+  if (!wanted.envi) return maker.take();  // what other products are made from
+  maker.add_temperature();
   maker.add_noise();
   if (wanted.electrons) maker.add_electrons();
   if (wanted.statistics) maker.add_effects();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "sim/products/temperature_map.hpp"
@@ -79,27 +80,28 @@ Preview::Preview(const ArrayImage& first, const std::vector<std::string>& wanted
     kept.centre_um = band.centre_um;
     kept.fwhm_um = band.fwhm_um;
   }
+  std::set<std::size_t> bands;
   for (BandChoice& choice : choices_of(image_, wanted)) {
-    for (const std::size_t band : choice.bands)
-      image_.bands[band].radiance.reserve(image_.pixels());
-    const std::size_t bands = choice.bands.size();
-    facts_.push_back({std::move(choice), std::vector<Extremes>(bands), 0});
+    bands.insert(choice.bands.begin(), choice.bands.end());
+    const std::size_t count = choice.bands.size();
+    facts_.push_back({std::move(choice), std::vector<Extremes>(count), 0});
   }
+  bands_.assign(bands.begin(), bands.end());
+  for (const std::size_t band : bands_) image_.bands[band].radiance.reserve(image_.pixels());
 }
 
 void Preview::take(const ArrayImage& strip) {
   const bool contest = facts_.size() > 1;  // decided by contrast above the noise
-  for (ShownFacts& facts : facts_) {
-    for (const std::size_t b : facts.choice.bands) {
-      const BandImage& band = strip.bands.at(b);
-      BandImage& kept = image_.bands.at(b);
-      append_every(step_, strip, band.radiance, kept.radiance);
-      if (contest) append_every(step_, strip, band.standard_error, kept.standard_error);
-      if (facts.choice.look != Look::temperature) continue;
-      append_every(step_, strip, band.brightness_temperature, kept.brightness_temperature);
-    }
-    add_strip(strip, facts);
+  const bool warm = facts_.front().choice.look == Look::temperature;
+  for (const std::size_t b : bands_) {
+    const BandImage& band = strip.bands.at(b);
+    BandImage& kept = image_.bands.at(b);
+    append_every(step_, strip, band.radiance, kept.radiance);
+    if (contest) append_every(step_, strip, band.standard_error, kept.standard_error);
+    if (!warm) continue;
+    append_every(step_, strip, band.brightness_temperature, kept.brightness_temperature);
   }
+  for (ShownFacts& facts : facts_) add_strip(strip, facts);
   append_every(step_, strip, strip.truth.material, image_.truth.material);
 }
 

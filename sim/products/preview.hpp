@@ -53,6 +53,7 @@ class Preview {
  private:
   int step_ = 1;
   ArrayImage image_;
+  std::vector<std::size_t> bands_;  // whose pixels are kept
   std::vector<ShownFacts> facts_;
 };
 

@@ -97,7 +97,7 @@ Caption radiance_caption(const ArrayImage& image, const ShownFacts& facts) {
 }
 
 std::string step_text(int step) {
-  return step == 1 ? std::string{} : fmt::format("one of {0} x {0} pixels; values of all", step);
+  return step == 1 ? std::string{} : fmt::format("1 of {0} x {0} pixels shown", step);
 }
 
 int magnification(const ArrayImage& image) {

@@ -47,7 +47,8 @@ struct DnSummary {
   ValueRange range;
   std::uint64_t zero_pixels =
       0;  ///< dead, without a valid radiance, or below the converter's range
-  std::optional<std::uint64_t> saturated_pixels;  ///< with the greatest number; nothing: not known
+  /// With the number of a full well or the converter's greatest; nothing: not known.
+  std::optional<std::uint64_t> saturated_pixels;
 };
 
 struct BandSummary {

@@ -26,16 +26,16 @@ Mat3 track_turns(const AttitudeAngles& angles, const geometry::LocalFrame& frame
   return straight.transposed() * sensor::axes(attitude, frame, north, 0.0);
 }
 
-Quaternion orientation(const AttitudeAngles& angles, Reference reference,
-                       const geometry::LocalFrame& frame) {
+Quaternion orientation_of(const AttitudeAngles& angles, Reference reference,
+                          const geometry::LocalFrame& frame) {
   if (reference == Reference::orbit) return to_quaternion(track_turns(angles, frame));
   return to_quaternion(sensor::from_euler({}, Mat3{}, degrees(angles.yaw_deg),
                                           degrees(angles.pitch_deg), degrees(angles.roll_deg))
                            .axes);
 }
 
-std::vector<Quaternion> orientations(const AttitudeFile& file, Reference reference,
-                                     const geometry::LocalFrame& frame) {
+std::vector<Quaternion> orientations_of(const AttitudeFile& file, Reference reference,
+                                        const geometry::LocalFrame& frame) {
   if (const auto* given = std::get_if<std::vector<Quaternion>>(&file.orientations)) return *given;
   if (reference == Reference::earth) {
     throw InputError{
@@ -44,7 +44,7 @@ std::vector<Quaternion> orientations(const AttitudeFile& file, Reference referen
   }
   std::vector<Quaternion> all;
   for (const AttitudeAngles& angles : std::get<1>(file.orientations)) {
-    all.push_back(orientation(angles, reference, frame));
+    all.push_back(orientation_of(angles, reference, frame));
   }
   return all;
 }
@@ -64,7 +64,7 @@ void check_turns(const AttitudeFile& file, const std::vector<Quaternion>& orient
   }
 }
 
-void check_gaps(const AttitudeFile& file, double max_gap_s, const PlatformTask& task) {
+void check_row_gaps(const AttitudeFile& file, double max_gap_s, const PlatformTask& task) {
   for (std::size_t i = 1; i < file.times_s.size(); ++i) {
     const double begin = file.times_s[i - 1], end = file.times_s[i];
     const bool looks = begin < task.span.last_s && end > task.span.first_s;
@@ -76,7 +76,7 @@ void check_gaps(const AttitudeFile& file, double max_gap_s, const PlatformTask& 
   }
 }
 
-sensor::Attitude load_table(const AttitudeTableInput& input, const PlatformTask& task) {
+sensor::Attitude load_attitude_table(const AttitudeTableInput& input, const PlatformTask& task) {
   const AttitudeFile file = read_attitude_file(task.files.note(input.file), task.scenario.time);
   const sensor::TimeSpan covered{file.times_s.front(), file.times_s.back()};
   const bool constant = file.times_s.size() == 1;
@@ -84,14 +84,14 @@ sensor::Attitude load_table(const AttitudeTableInput& input, const PlatformTask&
     throw InputError{"attitude gap: " +
                      open_message(input.file.filename().string(), covered, task)};
   }
-  if (input.max_gap_s) check_gaps(file, *input.max_gap_s, task);
-  std::vector<Quaternion> turned = orientations(file, input.reference, task.frame);
+  if (input.max_gap_s) check_row_gaps(file, *input.max_gap_s, task);
+  std::vector<Quaternion> turned = orientations_of(file, input.reference, task.frame);
   check_turns(file, turned, input.file.string());
   return sensor::checked(
       sensor::TabulatedAttitude{input.reference, file.times_s, std::move(turned)});
 }
 
-sensor::Attitude constant(Reference reference, const Quaternion& orientation) {
+sensor::Attitude constant_attitude(Reference reference, const Quaternion& orientation) {
   return sensor::TabulatedAttitude{reference, {0.0}, {orientation}};
 }
 
@@ -106,9 +106,10 @@ sensor::Attitude moving_attitude(const PlatformTask& task) {
                                  degrees(angles->roll_deg)};
   }
   if (const auto* given = std::get_if<QuaternionInput>(&input)) {
-    return constant(given->reference, given->orientation);
+    return constant_attitude(given->reference, given->orientation);
   }
-  if (const auto* table = std::get_if<AttitudeTableInput>(&input)) return load_table(*table, task);
+  if (const auto* table = std::get_if<AttitudeTableInput>(&input))
+    return load_attitude_table(*table, task);
   return std::get<sensor::TrackAttitude>(input);
 }
 
@@ -143,7 +144,7 @@ sensor::Attitude load_attitude(const PlatformTask& task, const sensor::Track& tr
   return at_element(task.input().attitude_where, [&]() -> sensor::Attitude {
     if (track.is_fixed() && is_aimed(task.input())) {
       const Vec3 position = track.at(0.0).position;
-      return constant(Reference::scene, to_quaternion(still_pose(task, position).axes));
+      return constant_attitude(Reference::scene, to_quaternion(still_pose(task, position).axes));
     }
     return moving_attitude(task);
   });

@@ -46,13 +46,13 @@ sensor::Mount load_mount(const MountInput& input, const PlatformTask& task) {
   return mount;
 }
 
-bool scans(const PlatformInput& platform) {
+bool has_scan(const PlatformInput& platform) {
   return std::any_of(platform.mounts.begin(), platform.mounts.end(), [](const MountInput& mount) {
     return std::holds_alternative<sensor::ScanMount>(mount.law);
   });
 }
 
-sensor::PlatformDescription describe(const PlatformTask& task) {
+sensor::PlatformDescription description_of(const PlatformTask& task) {
   const PlatformInput& input = task.input();
   sensor::PlatformDescription description;
   description.track = load_track(task);
@@ -91,16 +91,16 @@ void check_above_ground(const sensor::Platform& platform, const PlatformTask& ta
   }
 }
 
-sensor::Platform build(const PlatformTask& task) {
+sensor::Platform platform_of(const PlatformTask& task) {
   const PlatformInput& input = task.input();
   const bool aimed = !std::holds_alternative<QuaternionInput>(input.attitude);
-  const bool still = keeps_its_pose(input) && !input.jitter && !scans(input);
+  const bool still = keeps_its_pose(input) && !input.jitter && !has_scan(input);
   if (still && aimed && input.mounts.empty()) {
     const Vec3 position = load_track(task).at(0.0).position;
     return at_element(input.attitude_where,
                       [&] { return sensor::Platform{still_pose(task, position)}; });
   }
-  const sensor::PlatformDescription description = describe(task);
+  const sensor::PlatformDescription description = description_of(task);
   return at_element(input.where, [&] {
     const sensor::Platform platform{description, task.frame, task.span.first_s, task.span.last_s};
     return still ? sensor::Platform{platform.steady(task.span.first_s)} : platform;
@@ -113,14 +113,14 @@ sensor::PlatformDescription describe_platform(const Scenario& scenario,
                                               const geometry::LocalFrame& frame,
                                               const TerrainProbe& terrain, InputFiles& files,
                                               sensor::TimeSpan span) {
-  return describe({scenario, frame, terrain, files, span});
+  return description_of({scenario, frame, terrain, files, span});
 }
 
 sensor::Platform load_platform(const Scenario& scenario, const geometry::LocalFrame& frame,
                                const TerrainProbe& terrain, InputFiles& files,
                                sensor::TimeSpan span) {
   const PlatformTask task{scenario, frame, terrain, files, span};
-  const sensor::Platform platform = build(task);
+  const sensor::Platform platform = platform_of(task);
   check_above_ground(platform, task);
   return platform;
 }

@@ -10,10 +10,14 @@ namespace nadir::sim {
 namespace {
 
 LensInput build_lens(const CheckedElement& element) {
-  return {element.number("focal_length_mm"), element.number("k1"),
-          element.number("k2"),              element.number("p1"),
-          element.number("p2"),              element.number("k3"),
-          element.number("principal_x_um"),  element.number("principal_y_um")};
+  return {element.number("focal_length_mm"),
+          element.number("k1"),
+          element.number("k2"),
+          element.number("p1"),
+          element.number("p2"),
+          element.number("k3"),
+          element.number("principal_x_um"),
+          element.number("principal_y_um")};
 }
 
 /// The lens of an array that has one of its own.
@@ -79,10 +83,10 @@ const CheckedElement* single_child(const BuildContext& context, const CheckedEle
       first = &child;
       continue;
     }
-    context.mistake(child.offset,
-                    fmt::format("<{}> holds only one {}; <{}> stands in line {} already",
-                                element.type->name, what, first->type->name,
-                                context.source.locate(first->offset).line));
+    context.mistake(
+        child.offset,
+        fmt::format("<{}> holds only one {}; <{}> stands in line {} already", element.type->name,
+                    what, first->type->name, context.source.locate(first->offset).line));
   }
   return first;
 }

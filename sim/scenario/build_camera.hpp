@@ -21,8 +21,7 @@ namespace nadir::sim {
 [[nodiscard]] std::vector<ModuleInput> build_modules(const BuildContext& context,
                                                      const CheckedElement& array);
 /// Optics, blur and detector in an array, whose bands, pitch and timing are there already.
-void build_detection(const BuildContext& context, const CheckedElement& element,
-                     ArrayInput& array);
+void build_detection(const BuildContext& context, const CheckedElement& element, ArrayInput& array);
 
 /// Tells of arrays, and modules of one array, that lie at the same place of the focal plane.
 /// @param elements  of the arrays

@@ -9,9 +9,9 @@ BoxBand build_box_band(const BuildContext& context, const CheckedElement& elemen
                        const std::string& name) {
   const auto lo = element.find<double>("lo_um"), hi = element.find<double>("hi_um");
   if (lo && hi && *lo >= *hi) {
-    context.mistake(element.where("hi_um"),
-                    fmt::format("band \"{}\" must end after it begins: lo_um is {}, hi_um {}", name,
-                                *lo, *hi));
+    context.mistake(
+        element.where("hi_um"),
+        fmt::format("band \"{}\" must end after it begins: lo_um is {}, hi_um {}", name, *lo, *hi));
   }
   return {lo.value_or(0.0), hi.value_or(0.0)};
 }

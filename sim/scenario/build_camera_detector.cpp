@@ -6,9 +6,12 @@ namespace nadir::sim {
 namespace {
 
 OpticsInput build_optics(const CheckedElement& element) {
-  return {element.number("f_number"),       element.number("obscuration"),
-          element.number("transmittance"),  element.number("falloff_power"),
-          element.number("temperature_k"),  element.number("emissivity"),
+  return {element.number("f_number"),
+          element.number("obscuration"),
+          element.number("transmittance"),
+          element.number("falloff_power"),
+          element.number("temperature_k"),
+          element.number("emissivity"),
           element.number("shield_temperature_k")};
 }
 
@@ -82,8 +85,8 @@ std::optional<double> exposure_of(const TimingInput& timing) {
 void check_photons(const BuildContext& context, const CheckedElement& element,
                    const ArrayInput& array) {
   const auto needs = [&](const std::string& what, const std::string& hint) {
-    context.mistake(element.offset, fmt::format("<photon_detector> of array \"{}\" {}", array.name,
-                                                what), hint);
+    context.mistake(element.offset,
+                    fmt::format("<photon_detector> of array \"{}\" {}", array.name, what), hint);
   };
   if (!array.optics) needs("needs <optics>, with its f_number", "");
   const auto exposure = exposure_of(array.timing);
@@ -98,11 +101,20 @@ void check_photons(const BuildContext& context, const CheckedElement& element,
   }
 }
 
+void check_black_level(const BuildContext& context, const CheckedElement& element) {
+  const auto bits = element.find<int>("bits");
+  const double level = element.number("black_level_dn");
+  if (!bits || level < (1 << *bits) - 1) return;
+  context.mistake(element.where("black_level_dn"),
+                  fmt::format("black_level_dn is {}, the largest number of {} bits is {}", level,
+                              *bits, (1 << *bits) - 1));
+}
+
 std::optional<DetectorInput> build_detector(const BuildContext& context,
                                             const CheckedElement& element,
                                             const ArrayInput& array) {
-  const CheckedElement* given = single_child(
-      context, element, {"photon_detector", "published_noise"}, "detector");
+  const CheckedElement* given =
+      single_child(context, element, {"photon_detector", "published_noise"}, "detector");
   if (given == nullptr) return std::nullopt;
   DetectorInput detector;
   if (given->type->name == "photon_detector") {
@@ -117,12 +129,7 @@ std::optional<DetectorInput> build_detector(const BuildContext& context,
   detector.black_level_dn = given->number("black_level_dn");
   detector.dead_share = given->number("dead_share");
   detector.pattern_seed = given->value<int>("pattern_seed");
-  const double largest = static_cast<double>((1 << detector.bits) - 1);
-  if (detector.black_level_dn >= largest && given->gives("bits")) {
-    context.mistake(given->where("black_level_dn"),
-                    fmt::format("black_level_dn is {}, the largest number of {} bits is {}",
-                                detector.black_level_dn, detector.bits, largest));
-  }
+  check_black_level(context, *given);
   return detector;
 }
 
@@ -168,8 +175,7 @@ void check_published(const BuildContext& context, const CheckedElement& element,
 /// Tells of bands whose figures and the array's detector do not go together.
 void check_bands(const BuildContext& context, const CheckedElement& element, ArrayInput& array) {
   const bool any = array.detector.has_value();
-  const bool photons =
-      any && std::holds_alternative<PhotonDetectorInput>(array.detector->element);
+  const bool photons = any && std::holds_alternative<PhotonDetectorInput>(array.detector->element);
   std::optional<double> saturation;
   std::vector<const CheckedElement*> bands;
   for (const CheckedElement& child : element.children) {

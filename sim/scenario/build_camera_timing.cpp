@@ -28,17 +28,31 @@ PushbroomInput build_pushbroom(const BuildContext& context, const CheckedElement
 }
 
 WhiskbroomInput build_whiskbroom(const BuildContext& context, const CheckedElement& element,
-                                 int samples) {
+                                 const CheckedElement& array) {
   check_exposure(context, element, "exposure_us", "sample_period_us");
   const WhiskbroomInput scan{element.number("sample_period_us"), element.number("scan_period_ms"),
                              element.value<int>("lines_per_scan"), element.number("exposure_us"),
                              element.find<double>("start_s")};
+  const int samples = array.value<int>("samples"), lines = array.value<int>("lines");
   const double sweep_ms = samples * scan.sample_period_us * 1e-3;
   if (scan.scan_period_ms > 0.0 && sweep_ms > scan.scan_period_ms) {
     context.mistake(element.where("scan_period_ms"),
                     fmt::format("a sweep of {} samples takes {:.6g} ms, longer than "
                                 "scan_period_ms, which is {}",
                                 samples, sweep_ms, scan.scan_period_ms));
+  }
+  if (scan.lines_per_scan > 0 && lines % scan.lines_per_scan != 0) {
+    context.mistake(
+        array.where("lines"),
+        fmt::format("{} lines are not a whole number of sweeps of {}", lines, scan.lines_per_scan));
+  }
+  if (array.gives("file")) {
+    context.mistake(element.offset,
+                    "a <whiskbroom> has no table of lines of sight: its column of "
+                    "detectors has one sample");
+  }
+  if (const CheckedElement* module = array.child("module")) {
+    context.mistake(module->offset, "the column of a <whiskbroom> has no modules");
   }
   return scan;
 }
@@ -51,12 +65,12 @@ void check_modules(const BuildContext& context, const CheckedElement& array,
     const auto first = module->find<int>("first_sample"), samples = module->find<int>("samples");
     if (!first || !samples) return;  // told already: what follows would be wrong because of it
     if (*first != next) {
-      context.mistake(module->where("first_sample"),
-                      fmt::format("this module begins at sample {}, but {} {}", *first,
-                                  next == 0 ? "the array begins at" : "those before it end before",
-                                  next),
-                      *first > next ? "samples between would belong to no module"
-                                    : "samples would belong to two modules");
+      context.mistake(
+          module->where("first_sample"),
+          fmt::format("this module begins at sample {}, but {} {}", *first,
+                      next == 0 ? "the array begins at" : "those before it end before", next),
+          *first > next ? "samples between would belong to no module"
+                        : "samples would belong to two modules");
     }
     next = *first + *samples;
   }
@@ -114,10 +128,9 @@ bool is_scanned(const TimingInput& timing) {
 }
 
 TimingInput build_timing(const BuildContext& context, const CheckedElement& array) {
-  const CheckedElement* element =
-      single_child(context, array,
-                   {"global_shutter", "rolling_shutter", "pushbroom", "whiskbroom", "bolometer"},
-                   "timing");
+  const CheckedElement* element = single_child(
+      context, array, {"global_shutter", "rolling_shutter", "pushbroom", "whiskbroom", "bolometer"},
+      "timing");
   if (element == nullptr) return GlobalShutterInput{};
   const std::string& name = element->type->name;
   if (name == "global_shutter") {
@@ -128,7 +141,7 @@ TimingInput build_timing(const BuildContext& context, const CheckedElement& arra
                                element->find<double>("start_s")};
   }
   if (name == "pushbroom") return build_pushbroom(context, *element);
-  if (name == "whiskbroom") return build_whiskbroom(context, *element, array.value<int>("samples"));
+  if (name == "whiskbroom") return build_whiskbroom(context, *element, array);
   return BolometerInput{element->number("time_constant_ms"), element->number("line_period_us"),
                         element->find<double>("start_s")};
 }

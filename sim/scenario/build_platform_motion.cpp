@@ -5,7 +5,7 @@
 namespace nadir::sim {
 namespace {
 
-constexpr double metres_per_km = 1e3;
+constexpr double m_per_km = 1e3;
 constexpr double equatorial_radius_km = 6378.137;  // WGS84
 
 sensor::Overpass overpass_of(const CheckedElement& element) {
@@ -26,7 +26,7 @@ std::optional<PositionInput> kepler_of(const BuildContext& context, const Checke
         fmt::format("the orbit's perigee lies {:.0f} km below the ground", -perigee_km));
   }
   return sensor::KeplerElements{*epoch,
-                                *axis_km * metres_per_km,
+                                *axis_km * m_per_km,
                                 *eccentricity,
                                 element.number("inclination_deg"),
                                 element.number("ascending_node_deg"),

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "sim/scenario/build_context.hpp"
 
@@ -36,6 +38,56 @@ void check_quick_look(const BuildContext& context, const CheckedElement& product
   }
 }
 
+ProductsInput products_of(const CheckedElement& element) {
+  ProductsInput products;
+  products.envi = element.flag("envi");
+  products.exr = element.flag("exr");
+  products.quick_look = element.flag("quick_look");
+  products.truth = element.flag("truth");
+  products.truth_temperature = element.flag("truth_temperature");
+  products.quick_look_bands = element.value<std::vector<std::string>>("quick_look_bands");
+  products.geotiff = element.flag("geotiff");
+  products.netcdf = element.flag("netcdf");
+  products.sidecars = element.flag("sidecars");
+  products.electrons = element.flag("electrons");
+  products.statistics = element.flag("statistics");
+  products.sky_view = element.flag("sky_view");
+  products.fractions = element.flag("fractions");
+  return products;
+}
+
+/// No plane of the truth may be asked for where there is none.
+void check_truth(const BuildContext& context, const CheckedElement& element,
+                 const ProductsInput& products) {
+  if (products.truth) return;
+  for (const auto& [name, wanted] :
+       {std::pair{"truth_temperature", products.truth_temperature},
+        std::pair{"sky_view", products.sky_view}, std::pair{"fractions", products.fractions}}) {
+    if (!wanted) continue;
+    context.mistake(
+        element.where(name),
+        fmt::format("{}=\"true\" asks for a plane that truth=\"false\" leaves out", name));
+  }
+}
+
+/// Electrons need a detector that counts them; published noise knows of none.
+void check_electrons(const BuildContext& context, const CheckedElement& element,
+                     const Scenario& scenario) {
+  const auto& arrays = scenario.camera.arrays;
+  if (!scenario.products.electrons || arrays.empty()) return;
+  const auto counts = [](const ArrayInput& array) {
+    return array.detector && std::holds_alternative<PhotonDetectorInput>(array.detector->element);
+  };
+  if (std::any_of(arrays.begin(), arrays.end(), counts)) return;
+  const bool detects = std::any_of(arrays.begin(), arrays.end(), [](const ArrayInput& array) {
+    return array.detector.has_value();
+  });
+  context.mistake(element.where("electrons"),
+                  detects
+                      ? "the camera's detectors are known by published noise: none counts electrons"
+                      : "electrons=\"true\", but no array of the camera has a detector");
+}
+
 }  // namespace
 
 void build_results(const BuildContext& context, const CheckedElement& root, Scenario& scenario) {
@@ -45,18 +97,10 @@ void build_results(const BuildContext& context, const CheckedElement& root, Scen
                          sampling->value<int>("wavelengths_per_band")};
   }
   if (const CheckedElement* products = root.child("products")) {
-    scenario.products = {products->flag("envi"),
-                         products->flag("exr"),
-                         products->flag("quick_look"),
-                         products->flag("truth"),
-                         products->flag("truth_temperature"),
-                         products->value<std::vector<std::string>>("quick_look_bands")};
+    scenario.products = products_of(*products);
     check_quick_look(context, *products, scenario);
-    if (scenario.products.truth_temperature && !scenario.products.truth) {
-      context.mistake(
-          products->where("truth_temperature"),
-          "truth_temperature=\"true\" asks for a plane that truth=\"false\" leaves out");
-    }
+    check_truth(context, *products, scenario.products);
+    check_electrons(context, *products, scenario);
   }
 }
 

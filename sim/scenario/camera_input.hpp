@@ -66,7 +66,7 @@ struct PushbroomInput {
   double line_period_ms = 0.0, exposure_ms = 0.0;
   std::optional<double> start_s{};
   int tdi_stages = 1;
-  bool tdi_behind = false;  ///< further rows lie towards -y
+  bool tdi_behind = false;  ///< the ground comes to the rows at -y first
 };
 struct WhiskbroomInput {
   double sample_period_us = 0.0, scan_period_ms = 0.0;
@@ -172,7 +172,8 @@ struct ArrayInput {
   bool own_lens = false;               ///< of the camera's focal length if `lens` says nothing else
   std::optional<LensInput> lens{};     ///< in place of the camera's
   std::optional<std::filesystem::path> view_table{};  ///< lines of sight instead of a lens
-  int first_sample = 0, first_line = 0;  ///< where the image begins in the view table, if it is cut
+  bool is_cut = false;                                ///< a part of what the sensor file has
+  int first_sample = 0, first_line = 0;               ///< of that part, in the whole
   std::optional<OpticsInput> optics{};
   BlurInput blur{};
   std::optional<DetectorInput> detector{};
@@ -181,8 +182,8 @@ struct ArrayInput {
 
 struct CameraInput {
   bool orthographic = false;
-  LensInput lens;    ///< of a perspective
-  std::string name;  ///< of the instrument; may be empty
+  LensInput lens;                                      ///< of a perspective
+  std::string name;                                    ///< of the instrument; may be empty
   std::optional<std::filesystem::path> sensor_file{};  ///< where the arrays come from, if not from
                                                        ///< the scenario
   std::vector<ArrayInput> arrays;
@@ -192,7 +193,6 @@ struct CameraInput {
 /// What a sensor file says: a camera, and what a data sheet of it needs.
 struct SensorInput {
   std::string name, title, source;
-  std::string platform;  ///< that carries it; may be empty
   double nominal_height_m = 0.0;
   double ground_speed_m_s = 0.0;  ///< 0: not known
   CameraInput camera;

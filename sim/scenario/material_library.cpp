@@ -6,7 +6,7 @@
 
 #include "sim/scenario/build_material.hpp"
 #include "sim/scenario/build_temperature.hpp"
-#include "sim/scenario/check_document.hpp"
+#include "sim/scenario/read_root.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -50,25 +50,18 @@ void resolve(const BuildContext& context, const std::vector<const CheckedElement
 
 std::optional<std::vector<LibraryMaterial>> read_library(const std::filesystem::path& file,
                                                          Issues& issues) {
-  try {
-    const SourceText source = read_source_text(file);
-    const XmlElement xml = parse_xml(source);
-    const CheckedElement root = check_document(xml, library_root, source, InputPaths{file}, issues);
-    Diagnostics unused;  // binding tells again of what matters in materials that are used
-    const BuildContext context{source, issues, unused};
-    std::vector<MaterialInput> materials;
-    std::vector<const CheckedElement*> elements;
-    for (const CheckedElement& element : root.children) {
-      elements.push_back(&element);
-      materials.push_back(build(context, element));
-    }
-    context.check_unique(elements, "material");
-    resolve(context, elements, materials);
-    return materials;
-  } catch (const InputError& error) {
-    issues.add(error);
-    return std::nullopt;
-  }
+  return read_root(file, library_root, issues,
+                   [](const BuildContext& context, const CheckedElement& root) {
+                     std::vector<MaterialInput> materials;
+                     std::vector<const CheckedElement*> elements;
+                     for (const CheckedElement& element : root.children) {
+                       elements.push_back(&element);
+                       materials.push_back(build(context, element));
+                     }
+                     context.check_unique(elements, "material");
+                     resolve(context, elements, materials);
+                     return materials;
+                   });
 }
 
 std::vector<LibraryMaterial> read_material_library(const std::filesystem::path& file) {

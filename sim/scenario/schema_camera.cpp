@@ -14,8 +14,9 @@ std::vector<Attribute> lens() {
     return defaulted(name, coefficient, "", "0", doc);
   };
   return {required("focal_length_mm", above_to(0.0, 1e6), "mm", "Focal length."),
-          distortion("k1", "Radial distortion, of r^2; x to image right and y to image down over "
-                           "the focal length, from ideal to distorted (Brown-Conrady, as OpenCV)."),
+          distortion("k1",
+                     "Radial distortion, of r^2; x to image right and y to image down over "
+                     "the focal length, from ideal to distorted (Brown-Conrady, as OpenCV)."),
           distortion("k2", "Radial distortion, of r^4."),
           distortion("p1", "Tangential distortion: 2 p1 x y in x, p1 (r^2 + 2 y^2) in y."),
           distortion("p2", "Tangential distortion: p2 (r^2 + 2 x^2) in x, 2 p2 x y in y."),
@@ -40,11 +41,11 @@ ElementType array(const std::string& id, const std::string& doc, std::vector<Att
     attributes.push_back(defaulted(std::string{"fill_"} + axis, above_to(0.0, 1.0), "", "1",
                                    std::string{"Sensitive part of the pitch along "} + axis + "."));
   }
-  std::vector<Child> children = {
-      {"band", true}, {"band_box", true}, {"band_gaussian", true}, {"global_shutter"},
-      {"rolling_shutter"}, {"pushbroom"}, {"whiskbroom"}, {"bolometer"}, {"optics"},
-      {"gaussian_blur"}, {"blur_table"}, {"stray_light"}, {"photon_detector"},
-      {"published_noise"}};
+  std::vector<Child> children = {{"band", true},      {"band_box", true},  {"band_gaussian", true},
+                                 {"global_shutter"},  {"rolling_shutter"}, {"pushbroom"},
+                                 {"whiskbroom"},      {"bolometer"},       {"optics"},
+                                 {"gaussian_blur"},   {"blur_table"},      {"stray_light"},
+                                 {"photon_detector"}, {"published_noise"}};
   for (Child& child : own) children.push_back(std::move(child));
   return {.id = id,
           .name = "array",
@@ -100,23 +101,23 @@ ElementType preset() {
       .id = "sensor_preset",
       .name = "sensor",
       .doc = "A camera from a sensor file, whole or a part of it.",
-      .attributes =
-          {required("file", PathType{{".xml"}, true}, "",
-                    "A file whose root is <sensor>, beside the scenario or else in Nadir's data."),
-           optional("arrays", NamesType{100}, "", "all of them", "Those of its arrays to take."),
-           optional("samples", pixels(), "", "all of them",
-                    "Columns of the first of them; others are cut to the same part."),
-           optional("first_sample", IntegerType{0, 99999}, "", "the middle of the array is taken",
-                    "First of these columns, from 0; needs samples."),
-           optional("lines", pixels(), "", "as the file says",
-                    "Rows of the first of them: a part of a frame, or how long a scanned pass is; "
-                    "the others get the same part or the same length of time."),
-           optional("first_line", IntegerType{0, 99999}, "", "the middle of the frame is taken",
-                    "First of a frame's rows, from 0; needs lines."),
-           optional("start_s", from_to(-1e6, 1e6), "s",
-                    "each pass is centred on the scenario's time",
-                    "Centre of the first line's exposure after the scenario's time, of arrays "
-                    "that scan.")}};
+      .attributes = {
+          required("file", PathType{{".xml"}, true}, "",
+                   "A file whose root is <sensor>, beside the scenario or else in Nadir's data."),
+          optional("arrays", NamesType{100}, "", "all of them", "Those of its arrays to take."),
+          optional("samples", pixels(), "", "all of them",
+                   "Columns of the first of them; others are cut to the same part."),
+          optional("first_sample", IntegerType{0, 99999}, "", "the middle of the array is taken",
+                   "First of these columns, from 0; needs samples."),
+          optional("lines", pixels(), "", "as the file says",
+                   "Rows of the first of them: a part of a frame, or how long a scanned pass is; "
+                   "the others get the same part or the same length of time."),
+          optional("first_line", IntegerType{0, 99999}, "", "the middle of the frame is taken",
+                   "First of a frame's rows, from 0; needs lines."),
+          optional("start_s", from_to(-1e6, 1e6), "s",
+                   "each pass is centred on the scenario's time",
+                   "Centre of the first line's exposure after the scenario's time, of arrays "
+                   "that scan.")}};
 }
 
 ElementType sensor_file() {
@@ -171,8 +172,9 @@ std::vector<ElementType> schema_of_camera() {
   for (ElementType& type : arrays()) all.push_back(std::move(type));
   all.push_back({.id = "lens",
                  .name = "lens",
-                 .doc = "The lens of an array with own_lens=\"true\"; without it, it is like that of "
-                        "the camera.",
+                 .doc =
+                     "The lens of an array with own_lens=\"true\"; without it, it is like that of "
+                     "the camera.",
                  .attributes = lens()});
   for (ElementType& type : schema_of_camera_parts()) all.push_back(std::move(type));
   return all;

@@ -36,7 +36,8 @@ ElementType band(const std::string& name, const std::string& doc, std::vector<At
                     "Noise-equivalent temperature difference at 300 K; for published_noise."),
            optional("saturation_radiance", radiance(), radiance_unit, "as published_noise says",
                     "Radiance of the largest number; for published_noise."),
-           optional("saturation_temperature_k", above_to(0.0, 6000.0), "K", "as published_noise says",
+           optional("saturation_temperature_k", above_to(0.0, 6000.0), "K",
+                    "as published_noise says",
                     "Temperature of the black body that gives the largest number."),
            optional("efficiency", above_to(0.0, 1.0), "", "as photon_detector says",
                     "Electrons a photon at the band's peak; for photon_detector."),
@@ -88,8 +89,7 @@ Attribute start() {
 }
 
 std::vector<ElementType> timings() {
-  const Attribute line_period =
-      required("line_period_ms", period(), "ms", "From line to line.");
+  const Attribute line_period = required("line_period_ms", period(), "ms", "From line to line.");
   return {
       {.id = "global_shutter",
        .name = "global_shutter",
@@ -156,19 +156,19 @@ std::vector<ElementType> optics() {
       {.id = "optics",
        .name = "optics",
        .doc = "The way of the light behind the aperture.",
-       .attributes =
-           {required("f_number", f_number(), "", "Focal length over the aperture's diameter."),
-            defaulted("obscuration", obscuration(), "", "0",
-                      "Diameter of the obscured middle over the aperture's."),
-            defaulted("transmittance", above_to(0.0, 1.0), "", "1",
-                      "Of lenses, mirrors and filters at the bands' peaks."),
-            defaulted("falloff_power", from_to(0.0, 20.0), "", "4",
-                      "n of the fall-off cos^n towards the corners."),
-            defaulted("temperature_k", temperature(), "K", "0",
-                      "Of lenses and mirrors, which emit; 0: nothing."),
-            defaulted("emissivity", from_to(0.0, 1.0), "", "0", "Of lenses and mirrors."),
-            defaulted("shield_temperature_k", temperature(), "K", "0",
-                      "Of what the detector sees beside the lens; 0: nothing.")}},
+       .attributes = {required("f_number", f_number(), "",
+                               "Focal length over the aperture's diameter."),
+                      defaulted("obscuration", obscuration(), "", "0",
+                                "Diameter of the obscured middle over the aperture's."),
+                      defaulted("transmittance", above_to(0.0, 1.0), "", "1",
+                                "Of lenses, mirrors and filters at the bands' peaks."),
+                      defaulted("falloff_power", from_to(0.0, 20.0), "", "4",
+                                "n of the fall-off cos^n towards the corners."),
+                      defaulted("temperature_k", temperature(), "K", "0",
+                                "Of lenses and mirrors, which emit; 0: nothing."),
+                      defaulted("emissivity", from_to(0.0, 1.0), "", "0", "Of lenses and mirrors."),
+                      defaulted("shield_temperature_k", temperature(), "K", "0",
+                                "Of what the detector sees beside the lens; 0: nothing.")}},
   };
 }
 
@@ -237,7 +237,8 @@ std::vector<ElementType> detectors() {
            defaulted("read_noise_e", electrons(), "e-", "0", "Standard deviation."),
            defaulted("line_noise_e", electrons(), "e-", "0",
                      "Standard deviation of stripes from line to line (1/f noise)."),
-           defaulted("line_correlation", obscuration(), "", "0", "Of a stripe with the next line's."),
+           defaulted("line_correlation", obscuration(), "", "0",
+                     "Of a stripe with the next line's."),
            defaulted("prnu", from_to(0.0, 1.0), "", "0",
                      "Unequal response of detectors, relative standard deviation."),
            defaulted("dsnu_e", electrons(), "e-", "0",
@@ -247,12 +248,12 @@ std::vector<ElementType> detectors() {
                     "Digital number an electron."),
            defaulted("flat", boolean(), "", "true",
                      "The fall-off towards the corners is taken out of the numbers.")}),
-      detector("published_noise",
-               "A detector of which only figures of noise are published: by snr or nedt_k of its "
-               "bands, or by snr_at and nedt_at in them.",
-               {optional("saturation_radiance", radiance(), radiance_unit,
-                         "every band needs its own",
-                         "Radiance of the largest number, of bands that say nothing else.")}),
+      detector(
+          "published_noise",
+          "A detector of which only figures of noise are published: by snr or nedt_k of its "
+          "bands, or by snr_at and nedt_at in them.",
+          {optional("saturation_radiance", radiance(), radiance_unit, "every band needs its own",
+                    "Radiance of the largest number, of bands that say nothing else.")}),
   };
 }
 

@@ -6,12 +6,12 @@ namespace {
 
 NumberType unit_component() { return from_to(-1.001, 1.001); }
 
-AttributeType reference() { return EnumerationType{{"scene", "earth", "local", "orbit"}}; }
+AttributeType reference_type() { return EnumerationType{{"scene", "earth", "local", "orbit"}}; }
 constexpr const char* reference_doc =
     "Axes that it is given in: scene (east, north, up at the site), earth (ECEF), local (east, "
     "north, up at the platform), orbit (those of <nadir/>).";
 
-std::vector<Attribute> track_turns() {
+std::vector<Attribute> turns_on_track() {
   return {defaulted("yaw_deg", full_turn(), "deg", "0", "First, about z: right-handed."),
           defaulted("pitch_deg", full_turn(), "deg", "0",
                     "Then, about x: raises the line of sight towards the way ahead."),
@@ -21,7 +21,7 @@ std::vector<Attribute> track_turns() {
                     "Follows the way among the stars instead of that over the turning earth.")};
 }
 
-std::vector<ElementType> steady() {
+std::vector<ElementType> steady_attitudes() {
   return {
       {.id = "attitude",
        .name = "attitude",
@@ -47,12 +47,12 @@ std::vector<ElementType> steady() {
   };
 }
 
-std::vector<ElementType> moving() {
+std::vector<ElementType> moving_attitudes() {
   return {
       {.id = "quaternion",
        .name = "quaternion",
        .doc = "A rotation from the platform's axes to others; length 1 within 0.001.",
-       .attributes = {required("reference", reference(), "", reference_doc),
+       .attributes = {required("reference", reference_type(), "", reference_doc),
                       required("w", unit_component(), "", "Scalar part."),
                       required("x", unit_component(), "", "Vector part."),
                       required("y", unit_component(), "", "Vector part."),
@@ -61,11 +61,11 @@ std::vector<ElementType> moving() {
        .name = "nadir",
        .doc = "Follows the way and looks straight down: z against the ellipsoid's normal, y along "
               "the horizontal part of the way.",
-       .attributes = track_turns()},
+       .attributes = turns_on_track()},
       {.id = "velocity",
        .name = "velocity",
        .doc = "Follows the way: y exactly along it, z as far down as that allows.",
-       .attributes = track_turns()},
+       .attributes = turns_on_track()},
       {.id = "attitude_table",
        .name = "attitude_table",
        .doc = "Orientations at moments, from a table, and the even turn between them; "
@@ -74,7 +74,7 @@ std::vector<ElementType> moving() {
                           "file", PathType{{".csv"}}, "",
                           "Times as time_s or time_utc, and w, x, y, z; or yaw_deg, pitch_deg, "
                           "roll_deg (as in <euler>; with reference orbit as in <nadir>)."),
-                      required("reference", reference(), "", reference_doc),
+                      required("reference", reference_type(), "", reference_doc),
                       optional("max_gap_s", above_to(0.0, 1e9), "s", "any",
                                "The longest time between two rows while the camera looks.")}},
   };
@@ -83,8 +83,8 @@ std::vector<ElementType> moving() {
 }  // namespace
 
 std::vector<ElementType> schema_of_attitude() {
-  std::vector<ElementType> all = steady();
-  for (ElementType& type : moving()) all.push_back(std::move(type));
+  std::vector<ElementType> all = steady_attitudes();
+  for (ElementType& type : moving_attitudes()) all.push_back(std::move(type));
   return all;
 }
 

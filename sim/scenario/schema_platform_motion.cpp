@@ -5,18 +5,18 @@ namespace nadir::sim {
 namespace {
 
 // The fastest that stays near the earth: escape velocity at the ground is 11.2 km/s.
-NumberType speed() { return above_to(0.0, 2e4); }
-NumberType azimuth() { return from_to(-360.0, 360.0); }
+NumberType flight_speed() { return above_to(0.0, 2e4); }
+NumberType flight_azimuth() { return from_to(-360.0, 360.0); }
 
-std::vector<ElementType> flights() {
+std::vector<ElementType> flight_types() {
   return {
       {.id = "straight",
        .name = "straight",
        .doc =
            "Flight along a geodesic at constant speed; its place is that at the scenario's time.",
-       .attributes = {required("azimuth_deg", azimuth(), "deg",
+       .attributes = {required("azimuth_deg", flight_azimuth(), "deg",
                                "Of the way there, clockwise from north."),
-                      required("speed_m_s", speed(), "m/s",
+                      required("speed_m_s", flight_speed(), "m/s",
                                "Along the ellipsoid at the flight's height."),
                       defaulted("climb_m_s", from_to(-2e4, 2e4), "m/s", "0", "Of the height.")},
        .content = Content::one_of,
@@ -26,8 +26,8 @@ std::vector<ElementType> flights() {
        .doc = "Flight round a place at constant height and speed; the place is the centre, at the "
               "height of the flight.",
        .attributes = {required("radius_m", above_to(0.0, 1e6), "m", "Of the circle."),
-                      required("speed_m_s", speed(), "m/s", "Along the circle."),
-                      required("azimuth_deg", azimuth(), "deg",
+                      required("speed_m_s", flight_speed(), "m/s", "Along the circle."),
+                      required("azimuth_deg", flight_azimuth(), "deg",
                                "From the centre to the platform at the scenario's time, clockwise "
                                "from north."),
                       defaulted("turn", EnumerationType{{"clockwise", "anticlockwise"}}, "",
@@ -47,7 +47,7 @@ std::vector<ElementType> flights() {
   };
 }
 
-std::vector<ElementType> orbits() {
+std::vector<ElementType> orbit_types() {
   return {
       {.id = "circular_orbit",
        .name = "circular_orbit",
@@ -89,8 +89,8 @@ std::vector<ElementType> orbits() {
 }  // namespace
 
 std::vector<ElementType> schema_of_ways() {
-  std::vector<ElementType> all = flights();
-  for (ElementType& type : orbits()) all.push_back(std::move(type));
+  std::vector<ElementType> all = flight_types();
+  for (ElementType& type : orbit_types()) all.push_back(std::move(type));
   return all;
 }
 

@@ -19,14 +19,34 @@ std::vector<ElementType> results() {
        .name = "products",
        .doc = "Which files are written.",
        .attributes =
-           {defaulted("envi", boolean(), "", "true", "Radiance and its standard error as ENVI."),
-            defaulted("exr", boolean(), "", "true", "Every band as one OpenEXR file."),
+           {defaulted("envi", boolean(), "", "true",
+                      "Radiance, its standard error, digital numbers, truth and the rest as ENVI."),
+            defaulted("exr", boolean(), "", "true", "All planes as one OpenEXR file."),
+            defaulted("geotiff", boolean(), "", "false",
+                      "Radiance, and digital numbers where there are any, as cloud-optimised "
+                      "GeoTIFF."),
+            defaulted("netcdf", boolean(), "", "false", "A swath as NetCDF with CF names."),
+            defaulted(
+                "sidecars", boolean(), "", "true",
+                "Beside the images: a STAC item, and the geometry of every band as a USGS CSM "
+                "image support file."),
             defaulted("quick_look", boolean(), "", "true", "A PNG picture for people."),
             defaulted("truth", boolean(), "", "true",
-                      "Material, range, temperature, sun elevation and shadow of every pixel."),
+                      "What every pixel looked at: material, object, range, temperature, place, "
+                      "angles, shadow."),
             defaulted("truth_temperature", boolean(), "", "false",
                       "Solves heat balances for the truth's temperatures even if no band sees "
                       "them; needs truth."),
+            defaulted("sky_view", boolean(), "", "false",
+                      "Truth: the share of the sky's light that is not hidden; a further ray for "
+                      "each path; needs truth."),
+            defaulted("fractions", boolean(), "", "false",
+                      "Truth: the share of every material in every pixel; needs truth."),
+            defaulted("electrons", boolean(), "", "false",
+                      "Noise-free photo-electrons; needs a detector that counts them."),
+            defaulted("statistics", boolean(), "", "false",
+                      "Paths a pixel, and what the air and the surface's own heat have of every "
+                      "band's radiance."),
             optional("quick_look_bands", NamesType{3}, "", "chosen from the bands' wavelengths",
                      "One band for shades of grey, or three of one array for red, green and "
                      "blue.")}},

@@ -5,6 +5,8 @@
 
 #include "core/error.hpp"
 #include "core/frame.hpp"
+#include "sensor/camera/path_view.hpp"
+#include "sensor/moving_camera.hpp"
 #include "support/catch.hpp"
 
 namespace nadir::sensor {
@@ -18,8 +20,10 @@ void check_same(Vec3 a, Vec3 b, double margin = rounding) {
   CHECK(length(a - b) <= margin);
 }
 
-DetectorArray perspective(int samples, int lines, double pitch_m, double focal_length_m) {
-  return {"a", samples, lines, Perspective{focal_length_m}, pitch_m, 0.0, 0.0, {}};
+using support::perspective;
+
+geometry::Ray view_ray(const DetectorArray& array, const Pose& pose, double sample, double line) {
+  return image_view(array, Platform{pose}, {sample, line}).ray;
 }
 
 void check_axes_are_right_handed(const Mat3& m) {
@@ -111,30 +115,199 @@ TEST_CASE("orthographic lines of sight are parallel and spaced by the pitch", "[
   check_same(b.origin - a.origin, {2.5, -5.0, 0.0}, 1e-12);
 }
 
-TEST_CASE("a place on the line of sight of a pixel is in view, one beside or behind is not",
-          "[sensor]") {
-  const Pose pose = from_euler({4.0, 5.0, 6.0}, Mat3{}, 70.0_deg, degrees(-40.0), 10.0_deg);
-  DetectorArray shifted = perspective(100, 60, 1e-5, 0.01);
-  shifted.offset_x_m = 2e-4;
-  const DetectorArray parallel{"o", 100, 60, Orthographic{}, 0.5, 3.0, -1.0, {}};
-  for (const DetectorArray& array : {shifted, parallel}) {
-    const auto place = [&](double sample, double line, double distance) {
-      const geometry::Ray ray = view_ray(array, pose, sample, line);
-      return ray.origin + distance * ray.direction;
-    };
-    CHECK(in_view(array, pose, place(0.1, 0.1, 50.0)));
-    CHECK(in_view(array, pose, place(99.9, 59.9, 3.0)));
-    CHECK_FALSE(in_view(array, pose, place(-0.1, 30.0, 50.0)));
-    CHECK_FALSE(in_view(array, pose, place(50.0, 60.1, 50.0)));
-    CHECK_FALSE(in_view(array, pose, place(50.0, 30.0, -50.0)));
-  }
-}
-
 TEST_CASE("an array's offset moves its view on the focal plane", "[sensor]") {
   DetectorArray array = perspective(2, 2, 1e-5, 0.1);
   array.offset_x_m = 3e-5;
   const geometry::Ray ray = view_ray(array, Pose{}, 1.0, 1.0);
   CHECK(ray.direction.x / ray.direction.z == Approx(3e-4).epsilon(rounding));
+}
+
+TEST_CASE("pixels need not be square", "[sensor]") {
+  DetectorArray array = perspective(4, 2, 1e-3, 1.0);
+  array.pitch_y_m = 3e-3;
+  const Vec2 place = focal_place(array, {0.5, 0.5});
+  CHECK(place.x == Approx(-1.5e-3).epsilon(rounding));
+  CHECK(place.y == Approx(-1.5e-3).epsilon(rounding));
+}
+
+TEST_CASE("a pushbroom has one row, in the array's middle", "[sensor]") {
+  DetectorArray array = perspective(4, 1000, 1e-3, 1.0);
+  array.timing.scan = Pushbroom{0.0, 0.1};
+  array.offset_y_m = 5e-3;
+  for (const double line : {0.0, 17.0, 999.0}) {
+    CHECK(focal_place(array, {1.0, line + 0.5}).y == Approx(5e-3).epsilon(rounding));
+    CHECK(focal_place(array, {1.0, line + 0.75}).y == Approx(5.25e-3).epsilon(rounding));
+  }
+}
+
+TEST_CASE("a whiskbroom has one column, in the array's middle", "[sensor]") {
+  DetectorArray array = perspective(500, 40, 1e-3, 1.0);
+  array.timing.scan = Whiskbroom{0.0, 1e-4, 1.0, 10};
+  for (const double line : {0.5, 10.5, 30.5}) {
+    const Vec2 place = focal_place(array, {123.75, line});
+    CHECK(place.x == Approx(0.25e-3).epsilon(1e-10));  // 123.75 has lost some digits
+    CHECK(place.y == Approx(-4.5e-3).epsilon(rounding));
+  }
+}
+
+TEST_CASE("modules are displaced, and turned about their middles", "[sensor]") {
+  DetectorArray array = perspective(30, 1, 1e-3, 1.0);
+  array.timing.scan = Pushbroom{0.0, 0.1};
+  const double turn = 0.01;
+  array.modules = {{0, 10}, {10, 20, 2e-4, -3e-3, turn}};
+  check_same({focal_place(array, {5.0, 0.5}).x, focal_place(array, {5.0, 0.5}).y, 0.0},
+             {-0.010, 0.0, 0.0});
+  // The second's middle, sample 20, is where the perfect array has it and the offset farther.
+  const Vec2 middle = focal_place(array, {20.0, 0.5});
+  check_same({middle.x, middle.y, 0.0}, {0.0052, -0.003, 0.0});
+  // Turned from x to y: samples to the right lie farther down.
+  const Vec2 right = focal_place(array, {24.0, 0.5});
+  check_same({right.x, right.y, 0.0},
+             {0.0052 + 0.004 * std::cos(turn), -0.003 + 0.004 * std::sin(turn), 0.0});
+  const Vec2 below = focal_place(array, {20.0, 0.75});
+  check_same({below.x, below.y, 0.0},
+             {0.0052 - 0.00025 * std::sin(turn), -0.003 + 0.00025 * std::cos(turn), 0.0});
+}
+
+TEST_CASE("a lens bends the line of sight back to where the undistorted one goes", "[sensor]") {
+  DetectorArray array = perspective(10, 10, 1e-3, 0.02);
+  const Distortion lens{.k1 = -0.3, .k2 = 0.1, .p1 = 1e-3, .p2 = 2e-3};
+  array.projection = Perspective{0.02, lens};
+  const Vec2 bent = distorted(lens, {0.15, -0.2});
+  check_same(camera_direction(array, {0.02 * bent.x, 0.02 * bent.y}),
+             normalised(Vec3{0.15, -0.2, 1.0}));
+}
+
+TEST_CASE("a view table's lines of sight are those of its pixels", "[sensor]") {
+  DetectorArray array = perspective(3, 2, 1e-3, 1.0);
+  ViewTable table{3, 2, 1.0, 1.0, {}};
+  for (int i = 0; i < 6; ++i) table.directions.push_back({0.01 * (i % 3), 0.02 * (i / 3), 1.0});
+  array.projection = checked(table);
+  const Vec2 last = focal_place(array, {2.5, 1.5});
+  check_same(camera_direction(array, last), normalised(Vec3{0.02, 0.02, 1.0}));
+}
+
+DetectorArray swath() {
+  DetectorArray array = perspective(30, 100, 1e-5, 0.1);
+  array.timing = {Pushbroom{0.0, 0.01}, 0.008};
+  array.modules = {{0, 10, 0.0, 2e-4}, {10, 10, 0.0, -2e-4}, {20, 10, 0.0, 2e-4}};
+  return array;
+}
+
+template <class Change>
+void refuses(const Change& change, const std::string& message) {
+  DetectorArray array = swath();
+  change(array);
+  CHECK_THROWS_WITH(check(array), "error: " + message + "\n");
+}
+
+TEST_CASE("arrays that can be built pass", "[sensor][check]") {
+  CHECK_NOTHROW(check(swath()));
+  CHECK_NOTHROW(check(perspective(4, 4, 1e-6, 0.01)));
+  DetectorArray whisk = perspective(100, 20, 1e-5, 0.1);
+  whisk.timing = {Whiskbroom{0.0, 1e-3, 0.1, 10}, 1e-3};
+  CHECK_NOTHROW(check(whisk));
+}
+
+TEST_CASE("sizes that cannot be are refused", "[sensor][check]") {
+  refuses([](DetectorArray& a) { a.samples = 0; }, "an array has at least 1 sample and 1 line");
+  refuses([](DetectorArray& a) { a.pitch_m = 0.0; }, "the pixels' pitch must be above 0 m");
+  refuses([](DetectorArray& a) { a.fill_y = 1.2; },
+          "the sensitive part of the pitch is 1.2, allowed range is (0, 1]");
+  refuses([](DetectorArray& a) { a.projection = Perspective{-0.1}; },
+          "the focal length must be above 0 m");
+  refuses([](DetectorArray& a) { a.offset_x_m = std::nan(""); },
+          "the array's offset is not finite");
+}
+
+TEST_CASE("timings that cannot be are refused", "[sensor][check]") {
+  refuses([](DetectorArray& a) { a.timing.exposure_s = 0.02; },
+          "the exposure, 0.02 s, is longer than the line period, 0.01 s");
+  refuses([](DetectorArray& a) { a.timing.lag_s = 0.01; },
+          "a detector has an exposure or a time constant, not both");
+  refuses([](DetectorArray& a) { a.timing.tdi_stages = 0; },
+          "time-delay integration has at least 1 stage");
+  refuses(
+      [](DetectorArray& a) {
+        a.timing.scan = GlobalShutter{};
+        a.timing.tdi_stages = 4;
+      },
+      "time-delay integration is for pushbrooms only");
+  refuses([](DetectorArray& a) { a.timing.scan = Pushbroom{0.0, 0.0}; },
+          "the line period of a pushbroom must be above 0 s");
+}
+
+TEST_CASE("whiskbrooms that cannot be are refused", "[sensor][check]") {
+  const auto whisk_refused = [](Whiskbroom broom, const std::string& message) {
+    DetectorArray array = perspective(100, 25, 1e-5, 0.1);
+    array.timing.scan = broom;
+    CHECK_THROWS_WITH(check(array), "error: " + message + "\n");
+  };
+  whisk_refused({0.0, 1e-3, 0.2, 10},
+                "a whiskbroom's 25 lines are not a whole number of scans of 10 lines");
+  whisk_refused({0.0, 1e-3, 0.05, 5},
+                "a sweep of 100 samples takes 0.1 s, longer than the scan period, 0.05 s");
+  whisk_refused({0.0, 0.0, 0.05, 5}, "the periods of a whiskbroom must be above 0 s");
+}
+
+TEST_CASE("modules that overlap or leave gaps are refused", "[sensor][check]") {
+  refuses([](DetectorArray& a) { a.modules[1].first_sample = 8; },
+          "module 2 begins at sample 8 and overlaps the one before, which ends at 10");
+  refuses([](DetectorArray& a) { a.modules[1].first_sample = 12; },
+          "module 2 begins at sample 12 and leaves a gap after 10");
+  refuses([](DetectorArray& a) { a.modules.pop_back(); },
+          "the modules have 20 samples, the array 30");
+  refuses([](DetectorArray& a) { a.modules[1] = {10, 10, -2e-5, 2e-4}; },
+          "modules 1 and 2 overlap on the focal plane");
+}
+
+TEST_CASE("view tables of another size are refused", "[sensor][check]") {
+  const auto flat = [](int samples, int lines) {
+    ViewTable table{samples, lines, 1.0, 1.0, {}};
+    for (int i = 0; i < samples * lines; ++i) table.directions.push_back({0.0, 0.0, 1.0});
+    return checked(table);
+  };
+  refuses([&](DetectorArray& a) { a.projection = flat(30, 1); },
+          "a view table holds the places of all pixels: it takes no offset and no modules");
+  refuses(
+      [&](DetectorArray& a) {
+        a.modules.clear();
+        a.projection = flat(29, 1);
+      },
+      "the view table ends at sample 28.5, the array's last is 29.5");
+  refuses(
+      [&](DetectorArray& a) {
+        a.modules.clear();
+        a.projection = flat(30, 2);
+      },
+      "the view table of a pushbroom has one line");
+  refuses(
+      [&](DetectorArray& a) {
+        a.modules.clear();
+        a.timing.scan = GlobalShutter{};
+        a.projection = flat(30, 99);
+      },
+      "the view table ends at line 98.5, the array's last is 99.5");
+}
+
+TEST_CASE("a lens that folds within the array's corners is refused", "[sensor][check]") {
+  DetectorArray array = perspective(800, 600, 1e-5, 0.01);  // corner at half a focal length
+  array.projection = Perspective{0.01, {.k1 = -0.5}};
+  CHECK_NOTHROW(check(array));
+  array.offset_x_m = 3e-3;
+  CHECK_THROWS_AS(check(array), InputError);
+}
+
+TEST_CASE("arrays on one focal plane lie apart", "[sensor][check]") {
+  DetectorArray red = swath(), green = swath();
+  red.name = "red";
+  green.name = "green";
+  green.offset_y_m = 1e-3;
+  CHECK_NOTHROW(check_apart({red, green}));
+  green.offset_y_m = 4e-4;  // its odd modules lie on the even ones of the other
+  green.offset_x_m = 1e-4;
+  CHECK_THROWS_WITH(check_apart({red, green}),
+                    "error: arrays \"red\" and \"green\" overlap on the focal plane\n");
 }
 
 }  // namespace

@@ -164,8 +164,9 @@ TEST_CASE("stacks of dark and half-full images return DSNU and PRNU", "[sensor][
         Approx(prnu).epsilon(0.03));
 }
 
-// The standard takes saturation from the greatest temporal variance. Its place is some standard
-// deviations (of 1 % with the non-uniformity) below the well, and known to a step of 0.5 %.
+// The standard takes saturation from the greatest temporal variance. Detectors differ by 0.8 % and
+// counts by 0.85 %: the most sensitive ones are full, and the variance falls, two to four standard
+// deviations of both (2.3 to 4.7 %) below the well. Levels are 0.5 % apart.
 TEST_CASE("the temporal variance peaks where the well is full", "[sensor][detector]") {
   const DetectorArray array = camera(64);
   Level fullest;
@@ -175,7 +176,7 @@ TEST_CASE("the temporal variance peaks where the well is full", "[sensor][detect
     if (one.measured.variance > fullest.measured.variance) fullest = one;
   }
   const double electrons = (fullest.measured.mean - 40.0) / published::gain;
-  CHECK(electrons == Approx(published::most_electrons).epsilon(0.03));
+  CHECK(electrons == Approx(published::most_electrons).epsilon(0.05));
   // What is over-exposed twice has the well's number, to the read noise of the mean.
   const Level over = level(array, 2.0 * published::most_photons, 9000);
   CHECK(over.measured.mean ==

@@ -60,8 +60,7 @@ struct LowOrbit {
     return radius_m * Vec3{std::cos(rate_rad_s * t), std::sin(rate_rad_s * t), 0.0};
   }
   [[nodiscard]] Vec3 velocity(double t) const {
-    return radius_m * rate_rad_s *
-           Vec3{-std::sin(rate_rad_s * t), std::cos(rate_rad_s * t), 0.0};
+    return radius_m * rate_rad_s * Vec3{-std::sin(rate_rad_s * t), std::cos(rate_rad_s * t), 0.0};
   }
 };
 
@@ -125,8 +124,7 @@ TEST_CASE("fewer points than eight give the polynomial through all", "[sensor][t
 // The remainder of the eight points: |f^(8)| / 8! times the product of the distances, at most
 // (105/256) ... h^8 x 43.07 in the middle: r (w h)^8 43.07 / 40320 = 1.0e-13 m at 10 s, so that
 // rounding (7083 km x 1e-16 x a few) is all that is left. At 60 s 8.6e-5 / 2 ... measured below.
-TEST_CASE("an orbit at steps of 10 s is found to a hundredth of a micrometre",
-          "[sensor][track]") {
+TEST_CASE("an orbit at steps of 10 s is found to a hundredth of a micrometre", "[sensor][track]") {
   const LowOrbit orbit;
   std::vector<double> at;
   for (int i = 0; i <= 40; ++i) at.push_back(10.0 * i);
@@ -183,11 +181,9 @@ TEST_CASE("a track that stands still does so at all times", "[sensor][track]") {
 TEST_CASE("tables that are no tracks are refused", "[sensor][track]") {
   CHECK(message_of({0.0, 1.0}, {{}}) == "a track has 2 times but 1 positions");
   CHECK(message_of({0.0}, {{}}) == "a track needs at least two times");
-  CHECK(message_of({0.0, 0.0}, {{}, {}}) ==
-        "the times of a track must ascend: 0 s follows 0 s");
+  CHECK(message_of({0.0, 0.0}, {{}, {}}) == "the times of a track must ascend: 0 s follows 0 s");
   CHECK(message_of({0.0, std::nan("")}, {{}, {}}) == "entry 2 of the track is not finite");
-  CHECK(message_of({0.0, 1.0}, {{}, {std::nan(""), 0, 0}}) ==
-        "entry 2 of the track is not finite");
+  CHECK(message_of({0.0, 1.0}, {{}, {std::nan(""), 0, 0}}) == "entry 2 of the track is not finite");
   CHECK(message_of({0.0, 1.0}, {{}, {}}, 9) ==
         "a track is interpolated through 2 to 8 points, not 9");
 }

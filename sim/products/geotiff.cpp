@@ -1,0 +1,272 @@
+#include "sim/products/geotiff.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/products/ground_points.hpp"
+#include "sim/products/least_squares.hpp"
+
+namespace nadir::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string digits(double value) { return fmt::format("{:.17g}", value); }
+
+/// The axis within 1e-6 rad of the vertical: a relief of a kilometre shifts by a millimetre.
+bool looks_straight_down(const Camera& camera, const sensor::DetectorArray& array) {
+  if (!std::holds_alternative<sensor::Orthographic>(array.projection)) return false;
+  if (!camera.platform.is_fixed()) return false;
+  return length(cross(camera.platform.steady(0.0).axes.z, Vec3{0.0, 0.0, -1.0})) < 1e-6 &&
+         camera.platform.steady(0.0).axes.z.z < 0.0;
+}
+
+/// The plane's coefficients: value = c[0] + sample c[1] + line c[2].
+std::optional<std::vector<double>> plane_through(const std::vector<GroundPoint>& points,
+                                                 const std::vector<double>& values) {
+  std::vector<double> a;
+  for (const GroundPoint& point : points) {
+    a.insert(a.end(), {1.0, point.image.sample, point.image.line});
+  }
+  return least_squares(std::move(a), values, 3);
+}
+
+struct FittedMap {
+  MapPlacement placement;
+  double residual_px = 0.0;
+};
+
+std::optional<FittedMap> fit_map(const std::string& coordinates,
+                                 const std::vector<GroundPoint>& points) {
+  std::vector<geometry::Geodetic> places;
+  for (const GroundPoint& point : points) places.push_back(point.geodetic);
+  std::vector<double> x, y;
+  for (const Vec2& on_map : projected(coordinates, places)) {
+    x.push_back(on_map.x);
+    y.push_back(on_map.y);
+  }
+  const auto to_x = plane_through(points, x), to_y = plane_through(points, y);
+  if (!to_x || !to_y) return std::nullopt;
+  FittedMap map{
+      {coordinates, {(*to_x)[0], (*to_x)[1], (*to_x)[2], (*to_y)[0], (*to_y)[1], (*to_y)[2]}}};
+  const auto& t = map.placement.transform;
+  const double pixel_m = std::sqrt(std::abs(t[1] * t[5] - t[2] * t[4]));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const sensor::ImagePoint at = points[i].image;
+    const double off = std::hypot(t[0] + at.sample * t[1] + at.line * t[2] - x[i],
+                                  t[3] + at.sample * t[4] + at.line * t[5] - y[i]);
+    map.residual_px = std::max(map.residual_px, off / pixel_m);
+  }
+  if (!std::isfinite(map.residual_px)) return std::nullopt;
+  return map;
+}
+
+/// Zone of the universal transverse Mercator projection on WGS84; 0 near the poles. The exceptions
+/// about Norway are left out: any zone nearby serves.
+int utm_epsg(const geometry::Geodetic& site) {
+  if (std::abs(site.latitude_deg) > 84.0) return 0;
+  const double east = std::remainder(site.longitude_deg, 360.0) + 180.0;
+  const int zone = std::clamp(static_cast<int>(std::floor(east / 6.0)) + 1, 1, 60);
+  return (site.latitude_deg >= 0.0 ? 32600 : 32700) + zone;
+}
+
+/// Points at the scene's mean height, all over the image; empty where one of them shows the sky.
+std::vector<GroundPoint> level_points(const GeoTask& task) {
+  std::vector<GroundPoint> points;
+  for (const auto& image : image_grid(*task.array, {9, 9})) {
+    const auto point = ground_at(*task.geometry, *task.array, image, task.geometry->mean_height_m);
+    if (!point) return {};
+    points.push_back(*point);
+  }
+  return points;
+}
+
+bool place_on_map(const GeoTask& task, Georeference& found) {
+  const std::vector<GroundPoint> points = level_points(task);
+  if (points.empty()) return false;
+  const geometry::Geodetic& site = task.geometry->frame.origin();
+  const int utm = utm_epsg(site);
+  const std::string own = fmt::format(
+      "+proj=ortho +lat_0={:.12g} +lon_0={:.12g} +datum=WGS84 "
+      "+units=m +type=crs",
+      site.latitude_deg, site.longitude_deg);
+  for (const int epsg : {utm, 0}) {
+    const auto map = fit_map(epsg != 0 ? fmt::format("EPSG:{}", epsg) : own, points);
+    if (!map || map->residual_px > most_map_residual_px) continue;
+    found.map = map->placement;
+    found.epsg = epsg;
+    found.map_residual_px = map->residual_px;
+    return true;
+  }
+  return false;
+}
+
+/// Heights above the ellipsoid that polynomials are to serve.
+struct HeightRange {
+  double lo_m = 0.0, hi_m = 0.0;
+};
+
+/// What the image shows and as much again as terrain models may be off by, but nothing near the
+/// camera's own height.
+HeightRange heights_for(const GeoTask& task, const std::vector<GroundPoint>& points) {
+  HeightRange range{points.front().geodetic.height_m, points.front().geodetic.height_m};
+  double nearest_m = 1e9;
+  for (const GroundPoint& point : points) {
+    range.lo_m = std::min(range.lo_m, point.geodetic.height_m);
+    range.hi_m = std::max(range.hi_m, point.geodetic.height_m);
+    const auto view = sensor::image_view(*task.array, task.geometry->camera->platform, point.image);
+    nearest_m = std::min(nearest_m, length(view.ray.origin - point.place));
+  }
+  const double around = std::min(0.6 * (range.hi_m - range.lo_m) + 100.0, 0.05 * nearest_m);
+  return {range.lo_m - around, range.hi_m + around};
+}
+
+std::vector<RpcPoint> space_points(const GeoTask& task, HeightRange range, GridSize grid,
+                                   bool inner) {
+  constexpr int levels = 7;
+  std::vector<RpcPoint> points;
+  const int count = inner ? levels - 1 : levels;
+  for (int level = 0; level < count; ++level) {
+    const double share = (level + (inner ? 0.5 : 0.0)) / (levels - 1.0);
+    const double height_m = range.lo_m + share * (range.hi_m - range.lo_m);
+    for (const auto& image : image_grid(*task.array, grid, inner)) {
+      const auto point = ground_at(*task.geometry, *task.array, image, height_m);
+      if (point) points.push_back({{image.sample, image.line}, point->geodetic});
+    }
+  }
+  return points;
+}
+
+void place_by_points(const GeoTask& task, Georeference& found) {
+  std::vector<GroundPoint> points;
+  for (const auto& image : image_grid(*task.array, {9, 9})) {
+    if (const auto point = ground_at(*task.geometry, *task.array, image)) points.push_back(*point);
+  }
+  if (points.size() < 4) {
+    task.warn("too little of the earth in view to georeference the image");
+    return;
+  }
+  for (const GroundPoint& point : points) {
+    found.control.push_back({{point.image.sample, point.image.line}, point.geodetic});
+  }
+  const HeightRange range = heights_for(task, points);
+  found.rpc = fit_rpc(space_points(task, range, {15, 15}, false),
+                      space_points(task, range, {14, 14}, true));
+  if (found.rpc && found.rpc->largest_px > most_rpc_residual_px) {
+    task.warn(fmt::format("no rational polynomials: they would be off by up to {:.2g} pixels",
+                          found.rpc->largest_px));
+    found.rpc.reset();
+  }
+}
+
+std::string in_imagery_form(const ephemeris::Instant& time) {
+  std::string text = time.to_string().substr(0, 19);  // YYYY-MM-DDThh:mm:ss
+  std::replace(text.begin(), text.end(), 'T', ' ');
+  return text;
+}
+
+GeoTiff described(const GeoTask& task, const Georeference& georeference, const char* what) {
+  GeoTiff job;
+  job.map = georeference.map;
+  job.control = georeference.control;
+  const Camera& camera = *task.geometry->camera;
+  const sensor::ImagePoint middle{0.5 * task.array->samples, 0.5 * task.array->lines};
+  const double middle_s = sensor::image_time_s(*task.array, middle);
+  job.items = {
+      {"TIFFTAG_SOFTWARE", "nadir " + task.context->version},
+      {"TIFFTAG_IMAGEDESCRIPTION", fmt::format("{}, scenario {}, array {}", what,
+                                               task.context->scenario_name, task.array->name)}};
+  if (georeference.map) {
+    job.items.emplace_back("NADIR_MAP_RESIDUAL_PX",
+                           fmt::format("{:.2g}", georeference.map_residual_px));
+  }
+  if (georeference.rpc) {
+    job.rpc = gdal_rpc(georeference.rpc->rpc);
+    job.items.emplace_back("NADIR_RPC_RESIDUAL_PX",
+                           fmt::format("{:.2g}", georeference.rpc->largest_px));
+  }
+  if (!camera.platform_name.empty()) {
+    job.imagery.emplace_back("SATELLITEID", camera.platform_name);
+  }
+  job.imagery.emplace_back("ACQUISITIONDATETIME",
+                           in_imagery_form(task.geometry->time + Seconds{middle_s}));
+  for (const BandFigures& band : band_figures(*task.array)) {
+    job.bands.push_back({band.name,
+                         radiance_unit,
+                         1.0,
+                         0.0,
+                         {{"wavelength", fmt::format("{}", band.centre_um)},
+                          {"fwhm", fmt::format("{}", band.fwhm_um)},
+                          {"wavelength_units", "Micrometers"}},
+                         {{"CENTRAL_WAVELENGTH_UM", fmt::format("{}", band.centre_um)},
+                          {"FWHM_UM", fmt::format("{}", band.fwhm_um)}}});
+  }
+  return job;
+}
+
+}  // namespace
+
+std::vector<BandFigures> band_figures(const sensor::DetectorArray& array) {
+  std::vector<BandFigures> figures;
+  for (const sensor::Band& band : array.bands) {
+    figures.push_back(
+        {band.name, spectral::centre(band.response).value, spectral::fwhm(band.response).value});
+  }
+  return figures;
+}
+
+Georeference georeference(const GeoTask& task) {
+  Georeference found;
+  if (looks_straight_down(*task.geometry->camera, *task.array) && place_on_map(task, found)) {
+    return found;
+  }
+  place_by_points(task, found);
+  return found;
+}
+
+std::vector<ProductFile> write_geotiffs(const GeoTask& task, const Georeference& georeference) {
+  std::vector<ProductFile> written;
+  GeoTiff job = described(task, georeference, "At-aperture spectral radiance, band means");
+  job.source = task.with("_radiance.img");
+  job.nan_is_no_data = true;
+  write_geotiff(task.with("_radiance.tif"), job);
+  written.push_back(task.record("radiance GeoTIFF", task.with("_radiance.tif")));
+  if (!fs::exists(task.with("_dn.img"))) return written;
+  job = described(task, georeference, "Digital numbers; scale and offset give spectral radiance");
+  job.source = task.with("_dn.img");
+  const auto& all = task.context->calibrations;
+  for (std::size_t i = 0; i < job.bands.size(); ++i) {
+    if (task.number >= all.size() || i >= all[task.number].size()) continue;
+    job.bands[i].scale = all[task.number][i].gain;
+    job.bands[i].offset = all[task.number][i].offset;
+  }
+  write_geotiff(task.with("_dn.tif"), job);
+  written.push_back(task.record("DN GeoTIFF", task.with("_dn.tif")));
+  return written;
+}
+
+TextItems gdal_rpc(const Rpc& rpc) {
+  const auto listed = [](const std::array<double, 20>& coefficients) {
+    std::string text;
+    for (const double value : coefficients) text += (text.empty() ? "" : " ") + digits(value);
+    return text;
+  };
+  return {{"LINE_OFF", digits(rpc.line_off - 0.5)},
+          {"SAMP_OFF", digits(rpc.sample_off - 0.5)},
+          {"LAT_OFF", digits(rpc.latitude_off)},
+          {"LONG_OFF", digits(rpc.longitude_off)},
+          {"HEIGHT_OFF", digits(rpc.height_off)},
+          {"LINE_SCALE", digits(rpc.line_scale)},
+          {"SAMP_SCALE", digits(rpc.sample_scale)},
+          {"LAT_SCALE", digits(rpc.latitude_scale)},
+          {"LONG_SCALE", digits(rpc.longitude_scale)},
+          {"HEIGHT_SCALE", digits(rpc.height_scale)},
+          {"LINE_NUM_COEFF", listed(rpc.line_numerator)},
+          {"LINE_DEN_COEFF", listed(rpc.line_denominator)},
+          {"SAMP_NUM_COEFF", listed(rpc.sample_numerator)},
+          {"SAMP_DEN_COEFF", listed(rpc.sample_denominator)}};
+}
+
+}  // namespace nadir::sim

@@ -1,0 +1,106 @@
+#include "sensor/detector/checks.hpp"
+#include "sim/run/load_camera_arrays.hpp"
+#include "spectral/band_quadrature.hpp"
+#include "spectral/planck.hpp"
+
+namespace nadir::sim {
+namespace {
+
+/// Band-mean radiance of a black body, or its derivative by temperature. Sixteen nodes are exact to
+/// 1e-9 for the smooth Planck function over any band.
+template <class PerWavelength>
+double band_mean_of(const spectral::Response& response, PerWavelength&& value) {
+  const spectral::BandQuadrature band = spectral::gauss_quadrature(response, 16);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < band.wavelengths.size(); ++i) {
+    sum += band.weights[i] * value(band.wavelengths[i]);
+  }
+  return sum;
+}
+
+double black_body_radiance(const spectral::Response& response, Kelvin temperature) {
+  return band_mean_of(response,
+                      [&](Micrometres w) { return spectral::planck(w, temperature).value; });
+}
+
+struct FigureLoader {
+  const spectral::Response& response;
+
+  sensor::NoiseFigure operator()(const SnrFigure& figure) const {
+    return {figure.radiance, figure.radiance / figure.snr};
+  }
+  /// sigma = NEdT dL/dT at the scene's temperature
+  sensor::NoiseFigure operator()(const NedtFigure& figure) const {
+    const Kelvin scene{figure.temperature_k};
+    const double slope = band_mean_of(
+        response, [&](Micrometres w) { return spectral::planck_derivative(w, scene); });
+    return {black_body_radiance(response, scene), figure.nedt_k * slope};
+  }
+};
+
+sensor::Optics load_optics(const OpticsInput& input, const BandInput& band) {
+  return {input.f_number,
+          input.obscuration,
+          band.transmittance.value_or(input.transmittance),
+          input.falloff_power,
+          input.temperature_k,
+          input.emissivity,
+          input.shield_temperature_k};
+}
+
+sensor::PhotonDetector load_photons(const PhotonDetectorInput& input, const BandInput& band,
+                                    const sensor::DetectorArray& array) {
+  constexpr double m2_per_um2 = 1e-12;
+  sensor::PhotonDetector photons;
+  photons.efficiency = band.efficiency.value_or(input.efficiency);
+  photons.area_m2 = input.area_um2 ? *input.area_um2 * m2_per_um2
+                                   : array.pitch_m * array.fill_x * array.height_m() * array.fill_y;
+  photons.dark_e_s = input.dark_e_s;
+  photons.temperature_k = input.temperature_k;
+  photons.dark_reference_k = input.dark_reference_k.value_or(input.temperature_k);
+  photons.dark_doubling_k = input.dark_doubling_k;
+  photons.read_noise_e = input.read_noise_e;
+  photons.line_noise_e = input.line_noise_e;
+  photons.line_correlation = input.line_correlation;
+  photons.prnu = input.prnu;
+  photons.dsnu_e = input.dsnu_e;
+  photons.full_well_e = input.full_well_e;
+  return photons;
+}
+
+sensor::PublishedNoise load_noise(const BandInput& band, const spectral::Response& response) {
+  std::vector<sensor::NoiseFigure> figures;
+  for (const NoiseFigureInput& figure : band.figures) {
+    figures.push_back(std::visit(FigureLoader{response}, figure));
+  }
+  return sensor::fit_noise(figures);
+}
+
+}  // namespace
+
+BandElectronics load_electronics(const ArrayInput& input, const BandInput& band,
+                                 const sensor::DetectorArray& array,
+                                 const spectral::Response& response) {
+  BandElectronics electronics{std::nullopt, band.reference_radiance};
+  if (!input.detector) return electronics;
+  sensor::Detector detector;
+  if (input.optics) detector.optics = load_optics(*input.optics, band);
+  detector.digitiser = {input.detector->bits, input.detector->black_level_dn,
+                        input.detector->gain_dn_e, 0.0, input.detector->flat};
+  detector.dead_share = input.detector->dead_share;
+  detector.pattern_seed = static_cast<std::uint64_t>(input.detector->pattern_seed);
+  if (const auto* photons = std::get_if<PhotonDetectorInput>(&input.detector->element)) {
+    detector.element = load_photons(*photons, band, array);
+  } else {
+    detector.element = load_noise(band, response);
+    detector.digitiser.saturation =
+        band.saturation_temperature_k
+            ? black_body_radiance(response, Kelvin{*band.saturation_temperature_k})
+            : band.saturation_radiance.value_or(0.0);
+  }
+  sensor::check(detector);
+  electronics.detector = detector;
+  return electronics;
+}
+
+}  // namespace nadir::sim
