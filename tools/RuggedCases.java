@@ -66,7 +66,7 @@ class RuggedCases {
     Vector3D z = up.negate();
     Vector3D y = velocity.subtract(new Vector3D(velocity.dotProduct(up), up)).normalize();
     Vector3D x = Vector3D.crossProduct(y, z);
-    final double roll = 0.09 + 2e-4 * Math.sin(1.3 * t), pitch = 1e-4 * Math.cos(0.9 * t);
+    final double roll = 0.09 + 2e-4 * Math.sin(0.4 * t), pitch = 1e-4 * Math.cos(0.3 * t);
     final Vector3D x1 = new Vector3D(Math.cos(roll), x, Math.sin(roll), z);
     z = new Vector3D(-Math.sin(roll), x, Math.cos(roll), z);
     x = x1;
@@ -121,8 +121,11 @@ class RuggedCases {
       places.add(new TimeStampedPVCoordinates(EPOCH.shiftedBy(t), position(t), Vector3D.ZERO));
       print("position,%.3f,%s%n", t, text(position(t)));
     }
-    for (int i = 0; i <= 48; ++i) {
-      final double t = 0.25 * i - 6.0;
+    // Close together: Rugged's way between two attitudes is not quite the even one (0.02 microradian
+    // off it halfway over 0.25 s; it shrinks with the square), and its inverse location, a single
+    // step from the line found, feels where the turning changes at a node.
+    for (int i = 0; i <= 108; ++i) {
+      final double t = 0.1 * i - 5.25;
       final Vector3D[] a = axes(t);
       turns.add(new TimeStampedAngularCoordinates(EPOCH.shiftedBy(t),
           new Rotation(a[0], a[1], Vector3D.PLUS_I, Vector3D.PLUS_J), Vector3D.ZERO,
@@ -132,7 +135,7 @@ class RuggedCases {
     final RuggedBuilder builder = new RuggedBuilder();
     builder.setAlgorithm(AlgorithmId.IGNORE_DEM_USE_ELLIPSOID);
     builder.setEllipsoid(new OneAxisEllipsoid(SEMI_MAJOR, FLATTENING, FramesFactory.getEME2000()));
-    builder.setTimeSpan(EPOCH.shiftedBy(-5.0), EPOCH.shiftedBy(5.0), 1e-3, 5.0);
+    builder.setTimeSpan(EPOCH.shiftedBy(-5.0), EPOCH.shiftedBy(5.0), 2e-4, 5.0);
     builder.setTrajectory(InertialFrameId.EME2000, places, 8, CartesianDerivativesFilter.USE_P,
         turns, 2, AngularDerivativesFilter.USE_R);
     builder.setLightTimeCorrection(false);

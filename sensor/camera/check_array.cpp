@@ -25,8 +25,8 @@ void check_sizes(const DetectorArray& array) {
   require_array(std::isfinite(array.offset_x_m) && std::isfinite(array.offset_y_m),
                 "the array's offset is not finite");
   for (const double fill : {array.fill_x, array.fill_y}) {
-    require_array(fill > 0.0 && fill <= 1.0, "the sensitive part of the pitch is " + number_text(fill) +
-                                                 ", allowed range is (0, 1]");
+    require_array(fill > 0.0 && fill <= 1.0, "the sensitive part of the pitch is " +
+                                                 number_text(fill) + ", allowed range is (0, 1]");
   }
 }
 
@@ -48,7 +48,8 @@ void check_scan(const DetectorArray& array, const Pushbroom& broom) {
                 "the line period of a pushbroom must be above 0 s");
   require_array(array.timing.exposure_s <= broom.line_period_s * (1.0 + 1e-12),
                 "the exposure, " + number_text(array.timing.exposure_s) +
-                    " s, is longer than the line period, " + number_text(broom.line_period_s) + " s");
+                    " s, is longer than the line period, " + number_text(broom.line_period_s) +
+                    " s");
 }
 
 void check_scan(const DetectorArray& array, const Whiskbroom& broom) {
@@ -57,11 +58,13 @@ void check_scan(const DetectorArray& array, const Whiskbroom& broom) {
                 "the periods of a whiskbroom must be above 0 s");
   require_array(array.timing.exposure_s <= broom.sample_period_s * (1.0 + 1e-12),
                 "the exposure, " + number_text(array.timing.exposure_s) +
-                    " s, is longer than the sample period, " + number_text(broom.sample_period_s) + " s");
+                    " s, is longer than the sample period, " + number_text(broom.sample_period_s) +
+                    " s");
   const double sweep_s = array.samples * broom.sample_period_s;
   require_array(sweep_s <= broom.scan_period_s * (1.0 + 1e-12),
-                "a sweep of " + std::to_string(array.samples) + " samples takes " + number_text(sweep_s) +
-                    " s, longer than the scan period, " + number_text(broom.scan_period_s) + " s");
+                "a sweep of " + std::to_string(array.samples) + " samples takes " +
+                    number_text(sweep_s) + " s, longer than the scan period, " +
+                    number_text(broom.scan_period_s) + " s");
   require_array(broom.lines_per_scan > 0, "a whiskbroom has at least 1 line a scan");
   require_array(array.lines % broom.lines_per_scan == 0,
                 "a whiskbroom's " + std::to_string(array.lines) +
@@ -206,8 +209,8 @@ void check_projection(const DetectorArray& array, const Tabulated& table) {
   require_array(!broom || table->lines == 1, "the view table of a pushbroom has one line");
   require_array(broom || covers(table->lines, table->line_step, array.lines),
                 "the view table ends at line " +
-                    number_text((table->lines - 1) * table->line_step + 0.5) + ", the array's last is " +
-                    number_text(array.lines - 0.5));
+                    number_text((table->lines - 1) * table->line_step + 0.5) +
+                    ", the array's last is " + number_text(array.lines - 0.5));
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ void check(const Distortion& lens, double reach) {
     if (!folds(lens, reach, 2.0 * std::numbers::pi * i / angles)) continue;
     throw InputError{
         "the distortion folds the image over itself within its pixels, which reach to " +
-        number_text(reach) +
-        " focal lengths from the axis: order of the coefficients? (k1, k2, " + "p1, p2, k3)"};
+        number_text(reach) + " focal lengths from the axis: order of the coefficients? (k1, k2, " +
+        "p1, p2, k3)"};
   }
 }
 

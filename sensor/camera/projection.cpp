@@ -271,7 +271,8 @@ bool lies_within(double coordinate, double size, double beyond) {
 std::optional<ImagePoint> image_of(const DetectorArray& array, const Platform& platform,
                                    Vec3 place) {
   const Found found = Search{array, platform, place}.run();
-  if (!std::isfinite(found.outside) || !lies_within(found.image.sample, array.samples, image_margin) ||
+  if (!std::isfinite(found.outside) ||
+      !lies_within(found.image.sample, array.samples, image_margin) ||
       !lies_within(found.image.line, array.lines, image_margin)) {
     return std::nullopt;
   }

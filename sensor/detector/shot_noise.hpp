@@ -27,10 +27,12 @@ namespace nadir::sensor {
                                    x2 * (1.0 / 362880.0 +
                                          x2 * (-1.0 / 39916800.0 + x2 * (1.0 / 6227020800.0)))))));
   const double cosine =
-      1.0 + x2 * (-0.5 + x2 * (1.0 / 24.0 +
-                               x2 * (-1.0 / 720.0 +
-                                     x2 * (1.0 / 40320.0 +
-                                           x2 * (-1.0 / 3628800.0 + x2 * (1.0 / 479001600.0))))));
+      1.0 +
+      x2 * (-0.5 + x2 * (1.0 / 24.0 +
+                         x2 * (-1.0 / 720.0 +
+                               x2 * (1.0 / 40320.0 + x2 * (-1.0 / 3628800.0 +
+                                                           x2 * (1.0 / 479001600.0 -
+                                                                 x2 * (1.0 / 87178291200.0)))))));
   const auto turn = static_cast<unsigned>(quarter) & 3U;
   const Vec2 even = (turn & 1U) == 0 ? Vec2{cosine, sine} : Vec2{-sine, cosine};
   return turn >= 2U ? Vec2{-even.x, -even.y} : even;

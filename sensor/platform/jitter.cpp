@@ -89,9 +89,36 @@ class RunningPower {
   double passed_ = 0.0;
 };
 
+/// The sums of a block from those of its even members, which stand first, and its odd ones. Half by
+/// half, so that small blocks stay in the cache.
+void add_waves(Complex* c, std::size_t count, const std::vector<Complex>& turns) {
+  if (count == 1) return;
+  const std::size_t half = count / 2, stride = turns.size() / half;
+  add_waves(c, half, turns);
+  add_waves(c + half, half, turns);
+  for (std::size_t k = 0; k < half; ++k) {
+    const Complex turn = turns[k * stride], odd = c[half + k];
+    // By hand: the product of std::complex looks for infinities.
+    const Complex b{turn.real() * odd.real() - turn.imag() * odd.imag(),
+                    turn.real() * odd.imag() + turn.imag() * odd.real()};
+    c[half + k] = c[k] - b;
+    c[k] += b;
+  }
+}
+
+/// exp(2 pi i k / count) for the first half, each by its own angle: no rounding adds up.
+std::vector<Complex> half_turns(std::size_t count) {
+  std::vector<Complex> turns(count / 2);
+  const double step = 2.0 * std::numbers::pi / static_cast<double>(count);
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    turns[k] = std::polar(1.0, step * static_cast<double>(k));
+  }
+  return turns;
+}
+
 /// The sum over k of c_k exp(2 pi i k n / N), in place; N a power of two.
 /// Source: Cooley and Tukey, Mathematics of Computation 19, 297 (1965).
-void sum_of_waves(std::vector<Complex>& c) {
+void sum_of_waves(std::vector<Complex>& c, const std::vector<Complex>& turns) {
   const std::size_t count = c.size();
   for (std::size_t i = 1, j = 0; i < count; ++i) {
     std::size_t bit = count >> 1;
@@ -99,24 +126,7 @@ void sum_of_waves(std::vector<Complex>& c) {
     j ^= bit;
     if (i < j) std::swap(c[i], c[j]);
   }
-  std::vector<Complex> turns(count / 2);  // each by its own angle: no rounding adds up
-  for (std::size_t k = 0; k < turns.size(); ++k) {
-    turns[k] = std::polar(
-        1.0, 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
-  }
-  for (std::size_t half = 1; half < count; half *= 2) {
-    const std::size_t stride = count / (2 * half);
-    for (std::size_t start = 0; start < count; start += 2 * half) {
-      for (std::size_t k = 0; k < half; ++k) {
-        const Complex turn = turns[k * stride], odd = c[start + half + k];
-        // By hand: the product of std::complex looks for infinities.
-        const Complex b{turn.real() * odd.real() - turn.imag() * odd.imag(),
-                        turn.real() * odd.imag() + turn.imag() * odd.real()};
-        c[start + half + k] = c[start + k] - b;
-        c[start + k] += b;
-      }
-    }
-  }
+  add_waves(c.data(), count, turns);
 }
 
 /// Amplitude and phase of a cosine with a share of the power.
@@ -125,7 +135,8 @@ Complex random_wave(double power, Rng& rng) {
 }
 
 /// The shaking about one axis at evenly spaced moments, a period of `waves.size()` steps.
-void realise(const JitterSpectrum& spectrum, double step_s, Rng rng, std::vector<Complex>& waves) {
+void realise(const JitterSpectrum& spectrum, double step_s, Rng rng, std::vector<Complex>& waves,
+             const std::vector<Complex>& turns) {
   const std::size_t count = waves.size();
   const double df = 1.0 / (step_s * static_cast<double>(count));
   // What is slower than the period drifts by less than half a turn: one slow cosine.
@@ -141,7 +152,8 @@ void realise(const JitterSpectrum& spectrum, double step_s, Rng rng, std::vector
     waves[k] = random_wave(up_to - below, rng);
     below = up_to;
   }
-  sum_of_waves(waves);
+  sum_of_waves(waves, turns);
+  if (drift == Complex{}) return;
   const double rate = 2.0 * std::numbers::pi * 0.25 / static_cast<double>(count);
   for (std::size_t n = 0; n < count; ++n) {
     waves[n] += drift * std::polar(1.0, rate * static_cast<double>(n));
@@ -180,10 +192,11 @@ Jitter::Jitter(const JitterDescription& description, double first_s, double last
   table_.resize(static_cast<std::size_t>(steps) + 1);
   // Twice the span at least: the cosines, which all repeat after this, do not within the span.
   std::vector<Complex> waves(std::bit_ceil(2 * std::max<std::size_t>(table_.size(), 512)));
+  const std::vector<Complex> turns = half_turns(waves.size());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const JitterSpectrum& spectrum = description.spectra[axis];
     if (spectrum.frequencies_hz.empty()) continue;
-    realise(spectrum, step_s_, Rng{description.seed, axis}, waves);
+    realise(spectrum, step_s_, Rng{description.seed, axis}, waves, turns);
     for (std::size_t n = 0; n < table_.size(); ++n) table_[n].*components[axis] = waves[n].real();
     coloured_rms_rad_.*components[axis] =
         std::sqrt(power_below(spectrum, spectrum.frequencies_hz.back()));

@@ -67,8 +67,9 @@ Pose turned(const Pose& pose, Vec3 angles_rad) {
 
 Platform::Platform(const Pose& fixed)
     : pose_{fixed},
-      first_s_{-std::numeric_limits<double>::infinity()},
-      last_s_{std::numeric_limits<double>::infinity()} {}
+      // Not infinity, so that the span has a middle.
+      first_s_{std::numeric_limits<double>::lowest()},
+      last_s_{std::numeric_limits<double>::max()} {}
 
 Platform::Platform(const PlatformDescription& description, const geometry::LocalFrame& frame,
                    double first_s, double last_s)

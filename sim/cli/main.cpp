@@ -6,11 +6,14 @@
 
 #include "core/error.hpp"
 #include "sim/cli/atmosphere_command.hpp"
+#include "sim/cli/detect_command.hpp"
 #include "sim/cli/ephemeris_command.hpp"
 #include "sim/cli/exit_codes.hpp"
 #include "sim/cli/materials_command.hpp"
+#include "sim/cli/project_command.hpp"
 #include "sim/cli/run_command.hpp"
 #include "sim/cli/schema_command.hpp"
+#include "sim/cli/sensor_command.hpp"
 #include "sim/cli/temperature_command.hpp"
 #include "sim/cli/validate_command.hpp"
 
@@ -24,9 +27,12 @@ int run(int argc, char** argv) {
   nadir::sim::add_run_command(app);
   nadir::sim::add_validate_command(app);
   nadir::sim::add_atmosphere_command(app);
+  nadir::sim::add_detect_command(app);
   nadir::sim::add_ephemeris_command(app);
   nadir::sim::add_materials_command(app);
+  nadir::sim::add_project_command(app);
   nadir::sim::add_schema_command(app);
+  nadir::sim::add_sensor_command(app);
   nadir::sim::add_temperature_command(app);
   try {
     app.parse(argc, argv);

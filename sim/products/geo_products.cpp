@@ -17,8 +17,7 @@ std::vector<ProductFile> write_geo_products(const ProductContext& context, std::
   const auto add = [&](const std::vector<ProductFile>& more) {
     files.insert(files.end(), more.begin(), more.end());
   };
-  Georeference place;
-  if (context.wanted.geotiff || context.wanted.sidecars) place = georeference(task);
+  const Georeference place = context.wanted.geotiff ? georeference(task) : map_of(task);
   if (context.wanted.geotiff) add(write_geotiffs(task, place));
   if (context.wanted.netcdf) add(write_netcdf_swath(task));
   if (!context.wanted.sidecars) return files;

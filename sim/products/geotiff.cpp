@@ -83,9 +83,9 @@ std::vector<GroundPoint> level_points(const GeoTask& task) {
   return points;
 }
 
-bool place_on_map(const GeoTask& task, Georeference& found) {
+void place_on_map(const GeoTask& task, Georeference& found) {
   const std::vector<GroundPoint> points = level_points(task);
-  if (points.empty()) return false;
+  if (points.empty()) return;
   const geometry::Geodetic& site = task.geometry->frame.origin();
   const int utm = utm_epsg(site);
   const std::string own = fmt::format(
@@ -98,9 +98,8 @@ bool place_on_map(const GeoTask& task, Georeference& found) {
     found.map = map->placement;
     found.epsg = epsg;
     found.map_residual_px = map->residual_px;
-    return true;
+    return;
   }
-  return false;
 }
 
 /// Heights above the ellipsoid that polynomials are to serve.
@@ -125,7 +124,7 @@ HeightRange heights_for(const GeoTask& task, const std::vector<GroundPoint>& poi
 
 std::vector<RpcPoint> space_points(const GeoTask& task, HeightRange range, GridSize grid,
                                    bool inner) {
-  constexpr int levels = 7;
+  constexpr int levels = 5;
   std::vector<RpcPoint> points;
   const int count = inner ? levels - 1 : levels;
   for (int level = 0; level < count; ++level) {
@@ -152,8 +151,8 @@ void place_by_points(const GeoTask& task, Georeference& found) {
     found.control.push_back({{point.image.sample, point.image.line}, point.geodetic});
   }
   const HeightRange range = heights_for(task, points);
-  found.rpc = fit_rpc(space_points(task, range, {15, 15}, false),
-                      space_points(task, range, {14, 14}, true));
+  found.rpc = fit_rpc(space_points(task, range, {12, 12}, false),
+                      space_points(task, range, {11, 11}, true));
   if (found.rpc && found.rpc->largest_px > most_rpc_residual_px) {
     task.warn(fmt::format("no rational polynomials: they would be off by up to {:.2g} pixels",
                           found.rpc->largest_px));
@@ -217,12 +216,15 @@ std::vector<BandFigures> band_figures(const sensor::DetectorArray& array) {
   return figures;
 }
 
-Georeference georeference(const GeoTask& task) {
+Georeference map_of(const GeoTask& task) {
   Georeference found;
-  if (looks_straight_down(*task.geometry->camera, *task.array) && place_on_map(task, found)) {
-    return found;
-  }
-  place_by_points(task, found);
+  if (looks_straight_down(*task.geometry->camera, *task.array)) place_on_map(task, found);
+  return found;
+}
+
+Georeference georeference(const GeoTask& task) {
+  Georeference found = map_of(task);
+  if (!found.map) place_by_points(task, found);
   return found;
 }
 

@@ -27,6 +27,8 @@ inline constexpr double most_rpc_residual_px = 0.5;
 /// for it, else the orthographic projection about the scene's site. Everything else gets control
 /// points and polynomials.
 [[nodiscard]] Georeference georeference(const GeoTask& task);
+/// The same without points and polynomials.
+[[nodiscard]] Georeference map_of(const GeoTask& task);
 
 /// Radiance, and digital numbers where there are.
 [[nodiscard]] std::vector<ProductFile> write_geotiffs(const GeoTask& task,

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/diagnostics.hpp"
 #include "sensor/detector/signal_chain.hpp"
 #include "sim/run/camera.hpp"
 #include "sim/run/image.hpp"
@@ -43,5 +44,16 @@ class DetectorStage {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Another noisy image of what a run has rendered: reads each array's radiance from the run's
+/// folder and writes its digital numbers beside it, `<array>_dn_<seed>.img` with its header, some
+/// lines at a time.
+/// @return the images written
+/// @throws InputError for mistakes in the scenario, a camera without detectors, and images that are
+///         missing or not of this scenario; std::runtime_error where a file cannot be written
+[[nodiscard]] std::vector<std::filesystem::path> detect_again(const std::filesystem::path& scenario,
+                                                              const std::filesystem::path& output,
+                                                              std::uint64_t seed,
+                                                              Diagnostics& diagnostics);
 
 }  // namespace nadir::sim

@@ -52,11 +52,11 @@ std::vector<Quaternion> orientations_of(const AttitudeFile& file, Reference refe
 /// A turn of more than a quarter from row to row could have gone either way round.
 void check_turns(const AttitudeFile& file, const std::vector<Quaternion>& orientations,
                  const std::string& name) {
-  constexpr double most_deg = 90.0;
+  constexpr double most_deg = 90.0, rounding_deg = 1e-6;
   for (std::size_t i = 1; i < orientations.size(); ++i) {
     const double cos_half = std::min(1.0, std::abs(dot(orientations[i - 1], orientations[i])));
     const double turn_deg = to_degrees(Angle{2.0 * std::acos(cos_half)});
-    if (turn_deg <= most_deg) continue;
+    if (turn_deg <= most_deg + rounding_deg) continue;
     refuse_at({name, file.lines[i], 0},
               fmt::format("attitude gap: the platform turns by {:.1f} degrees between {:.9g} s and "
                           "{:.9g} s; at most {} can be told from the other way round",
@@ -113,17 +113,11 @@ sensor::Attitude moving_attitude(const PlatformTask& task) {
   return std::get<sensor::TrackAttitude>(input);
 }
 
-/// <look_at> or <euler>.
+}  // namespace
+
 bool is_aimed(const PlatformInput& platform) {
   return std::holds_alternative<LookAtInput>(platform.attitude) ||
          std::holds_alternative<EulerInput>(platform.attitude);
-}
-
-}  // namespace
-
-bool keeps_its_pose(const PlatformInput& platform) {
-  return platform.stands_still() &&
-         (is_aimed(platform) || std::holds_alternative<QuaternionInput>(platform.attitude));
 }
 
 sensor::Pose still_pose(const PlatformTask& task, Vec3 position) {

@@ -12,8 +12,8 @@ namespace nadir::sim {
 /// @throws InputError at the element or in the file
 [[nodiscard]] sensor::Attitude load_attitude(const PlatformTask& task, const sensor::Track& track);
 
-/// Whether the attitude and the position of the platform are the same at all times.
-[[nodiscard]] bool keeps_its_pose(const PlatformInput& platform);
+/// Whether <look_at> or <euler> turns it.
+[[nodiscard]] bool is_aimed(const PlatformInput& platform);
 
 /// The pose of a platform that stands still and is turned by <look_at> or <euler>.
 [[nodiscard]] sensor::Pose still_pose(const PlatformTask& task, Vec3 position);

@@ -103,10 +103,18 @@ sensor::Timing load_timing(const ArrayInput& input) {
 
 /// Lines of sight of the part of a table that an array's image is cut from, pixel by pixel: the
 /// table's own bilinear values.
+/// @throws InputError where the table ends before the part does
 sensor::ViewTable cut_views(const sensor::ViewTable& table, const ArrayInput& input) {
+  const auto pixels = [](int nodes, double step) { return (nodes - 1) * step + 1.0; };
+  constexpr double slack = 1e-3;  // steps are printed with few digits
   sensor::ViewTable part;
   part.samples = input.samples;
   part.lines = table.lines == 1 ? 1 : input.lines;
+  if (pixels(table.samples, table.sample_step) + slack < input.first_sample + part.samples ||
+      (table.lines > 1 &&
+       pixels(table.lines, table.line_step) + slack < input.first_line + part.lines)) {
+    throw InputError{"it ends before the part of the image that is wanted"};
+  }
   for (int line = 0; line < part.lines; ++line) {
     for (int sample = 0; sample < part.samples; ++sample) {
       part.directions.push_back(sensor::direction(
@@ -120,7 +128,6 @@ sensor::Tabulated load_views(const ArrayInput& input, InputFiles& files) {
   const std::filesystem::path& file = files.note(*input.view_table);
   return at_part({file.string(), 0, 0}, "view table", [&] {
     sensor::ViewTable table = read_view_table(file);
-    // Read past its ends a table goes on: whether it fits is checked before it is cut.
     return sensor::checked(input.is_cut ? cut_views(table, input) : std::move(table));
   });
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "sim/files/jitter_file.hpp"
@@ -46,12 +45,6 @@ sensor::Mount load_mount(const MountInput& input, const PlatformTask& task) {
   return mount;
 }
 
-bool has_scan(const PlatformInput& platform) {
-  return std::any_of(platform.mounts.begin(), platform.mounts.end(), [](const MountInput& mount) {
-    return std::holds_alternative<sensor::ScanMount>(mount.law);
-  });
-}
-
 sensor::PlatformDescription description_of(const PlatformTask& task) {
   const PlatformInput& input = task.input();
   sensor::PlatformDescription description;
@@ -91,19 +84,22 @@ void check_above_ground(const sensor::Platform& platform, const PlatformTask& ta
   }
 }
 
+/// A camera at a place, aimed and left alone.
+bool is_plain(const PlatformInput& platform) {
+  return platform.stands_still() && is_aimed(platform) && !platform.jitter &&
+         platform.mounts.empty();
+}
+
 sensor::Platform platform_of(const PlatformTask& task) {
   const PlatformInput& input = task.input();
-  const bool aimed = !std::holds_alternative<QuaternionInput>(input.attitude);
-  const bool still = keeps_its_pose(input) && !input.jitter && !has_scan(input);
-  if (still && aimed && input.mounts.empty()) {
+  if (is_plain(input)) {
     const Vec3 position = load_track(task).at(0.0).position;
     return at_element(input.attitude_where,
                       [&] { return sensor::Platform{still_pose(task, position)}; });
   }
   const sensor::PlatformDescription description = description_of(task);
   return at_element(input.where, [&] {
-    const sensor::Platform platform{description, task.frame, task.span.first_s, task.span.last_s};
-    return still ? sensor::Platform{platform.steady(task.span.first_s)} : platform;
+    return sensor::Platform{description, task.frame, task.span.first_s, task.span.last_s};
   });
 }
 

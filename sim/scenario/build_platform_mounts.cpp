@@ -19,7 +19,6 @@ sensor::ScanMount scan_of(const BuildContext& context, const CheckedElement& ele
   scan.start_s = element.number("start_s");
   const auto sweep = element.find<double>("sweep_s");
   scan.sweep_s = sweep.value_or(1.0);
-  // A swing has to come back before it can go again.
   scan.period_s = element.find<double>("period_s").value_or(scan.sweep_s);
   if (sweep && scan.period_s < scan.sweep_s) {
     context.mistake(

@@ -182,8 +182,9 @@ struct ArrayInput {
 
 struct CameraInput {
   bool orthographic = false;
-  LensInput lens;                                      ///< of a perspective
-  std::string name;                                    ///< of the instrument; may be empty
+  LensInput lens;             ///< of a perspective
+  std::string name;           ///< of the instrument; may be empty
+  std::string platform_name;  ///< that carries it, if a sensor file says so; may be empty
   std::optional<std::filesystem::path> sensor_file{};  ///< where the arrays come from, if not from
                                                        ///< the scenario
   std::vector<ArrayInput> arrays;

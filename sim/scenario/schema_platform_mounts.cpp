@@ -62,9 +62,10 @@ ElementType scan_type() {
                     "When a sweep begins, after the scenario's time."),
           required("sweep_s", above_to(0.0, 1e9), "s", "From the first angle to the last."),
           optional("period_s", above_to(0.0, 1e9), "s", "sweep_s",
-                   "From sweep to sweep, sweep_s or longer; a swing comes back in sweep_s too."),
+                   "From the beginning of one sweep to that of the next; the rest is dead time."),
           defaulted("motion", EnumerationType{{"sweep", "swing"}}, "", "sweep",
-                    "Sweep: then at once back to the first angle. Swing: to and fro.")}};
+                    "Sweep: then at once back to the first angle. Swing: to and fro, one way in "
+                    "each period.")}};
 }
 
 }  // namespace

@@ -233,8 +233,11 @@ TEST_CASE("timings that cannot be are refused", "[sensor][check]") {
         a.timing.tdi_stages = 4;
       },
       "time-delay integration is for pushbrooms only");
-  refuses([](DetectorArray& a) { a.timing.scan = Pushbroom{0.0, 0.0}; },
-          "the line period of a pushbroom must be above 0 s");
+  refuses(
+      [](DetectorArray& a) {
+        a.timing.scan = Pushbroom{0.0, 0.0};
+      },
+      "the line period of a pushbroom must be above 0 s");
 }
 
 TEST_CASE("whiskbrooms that cannot be are refused", "[sensor][check]") {
@@ -257,8 +260,11 @@ TEST_CASE("modules that overlap or leave gaps are refused", "[sensor][check]") {
           "module 2 begins at sample 12 and leaves a gap after 10");
   refuses([](DetectorArray& a) { a.modules.pop_back(); },
           "the modules have 20 samples, the array 30");
-  refuses([](DetectorArray& a) { a.modules[1] = {10, 10, -2e-5, 2e-4}; },
-          "modules 1 and 2 overlap on the focal plane");
+  refuses(
+      [](DetectorArray& a) {
+        a.modules[1] = {10, 10, -2e-5, 2e-4};
+      },
+      "modules 1 and 2 overlap on the focal plane");
 }
 
 TEST_CASE("view tables of another size are refused", "[sensor][check]") {

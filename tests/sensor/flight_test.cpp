@@ -61,8 +61,9 @@ TEST_CASE("speed and climb of a straight flight are those of its description", "
       CHECK(std::hypot(local.x, local.y) == Approx(200.0).epsilon(t > 0.0 ? 5e-6 : 1e-8));
       CHECK(local.z == Approx(10.0).epsilon(1e-4));
       if (t == 0.0) {
+        // At a height azimuths differ from those on the ellipsoid: h e^2 / (2 R), 9e-5 degrees.
         const double found_deg = to_degrees(Angle{std::atan2(local.x, local.y)});
-        CHECK(std::remainder(found_deg - azimuth_deg, 360.0) == Approx(0.0).margin(1e-6));
+        CHECK(std::remainder(found_deg - azimuth_deg, 360.0) == Approx(0.0).margin(1e-4));
       }
     }
     CHECK(place_at(flight, 60.0).height_m == 3600.0);
@@ -85,9 +86,10 @@ TEST_CASE("a circle is one in its centre's horizontal plane", "[sensor][flight]"
 
 TEST_CASE("a table of a law is as near to it as was asked, with a margin", "[sensor][flight]") {
   const LocalFrame scene{{47.0, 8.0, 500.0}};
-  const auto law = law_of(CirclingFlight{{47.01, 8.0, 1500.0}, 100.0, 30.0, 0.0, true});
-  // The second span is 12 periods long: the first tables have whole periods between their nodes.
-  for (const double span_s : {7.0, 12.0 * 2.0 * std::acos(-1.0) * 100.0 / 30.0, 0.0}) {
+  const auto law = law_of(CirclingFlight{{47.01, 8.0, 1500.0}, 20.0, 30.0, 0.0, true});
+  // The second span is 20 periods long: the first table has two of them in every step, and would
+  // stand still at its nodes and midway.
+  for (const double span_s : {7.0, 20.0 * 2.0 * std::acos(-1.0) * 20.0 / 30.0, 0.0}) {
     for (const double tolerance_m : {1e-2, 1e-5}) {
       const Track track = sensor::tabulated(law, scene, 3.0, 3.0 + span_s, tolerance_m);
       double worst_m = 0.0;
@@ -99,7 +101,7 @@ TEST_CASE("a table of a law is as near to it as was asked, with a margin", "[sen
       const double step_s = track.times_s()[1] - track.times_s()[0];
       CHECK(track.first_s() == Approx(3.0 - 8.0 * step_s).epsilon(1e-9));
       CHECK(track.last_s() >= 3.0 + span_s + 8.0 * step_s - 1e-9);
-      CHECK(track.times_s().size() < 1000);
+      CHECK(track.times_s().size() < 2000);
     }
   }
 }

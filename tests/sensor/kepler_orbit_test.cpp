@@ -219,7 +219,7 @@ TEST_CASE("node and place follow the equations of motion with J2", "[sensor][kep
 
   StateVector s{begin.position, scale * velocity};
   const double drift = (passage(s, 6).node - passage(s, 1).node) / (5.0 * period);
-  CHECK(drift == Approx(rates.node).epsilon(3e-3));  // J2 of the second order; measured 1e-3
+  CHECK(drift == Approx(rates.node).epsilon(3e-3));  // J2 of the second order; measured -1.4e-3
 
   double worst = 0.0;
   constexpr double h = 10.0;
@@ -227,8 +227,8 @@ TEST_CASE("node and place follow the equations of motion with J2", "[sensor][kep
     worst = std::max(worst, length(s.position - in_sky(orbit, i * h).position));
     s = stepped(s, h);
   }
-  printf("%g %g %g\n", scale - 1.0, drift / rates.node - 1.0, worst);
-  CHECK(worst < 15e3);  // the periodic terms
+  CAPTURE(scale - 1.0, drift / rates.node - 1.0, worst);
+  CHECK(worst < 15e3);  // measured 12.3 km: the periodic terms
 }
 
 }  // namespace nadir::sensor

@@ -28,8 +28,8 @@ inline PlatformDescription straight_way(double height_m, Vec3 velocity, double s
                                         const Mat3& axes = facing_down) {
   PlatformDescription way;
   const Vec3 middle{0.0, 0.0, height_m};
-  way.track = Track{{-seconds, seconds}, {middle - seconds * velocity, middle + seconds * velocity},
-                    2};
+  way.track =
+      Track{{-seconds, seconds}, {middle - seconds * velocity, middle + seconds * velocity}, 2};
   way.attitude = steady_attitude(axes);
   return way;
 }
@@ -46,7 +46,8 @@ inline Platform orbit_of(double radius_m, double rate_rad_s, double seconds) {
   TabulatedAttitude turning;
   for (int i = 0; i <= 200; ++i) {
     const double t = seconds * (i - 100) / 100.0, angle = rate_rad_s * t;
-    const Vec3 up{0.0, std::sin(angle), std::cos(angle)}, way{0.0, std::cos(angle), -std::sin(angle)};
+    const Vec3 up{0.0, std::sin(angle), std::cos(angle)},
+        way{0.0, std::cos(angle), -std::sin(angle)};
     times.push_back(t);
     places.push_back(radius_m * up);
     turning.orientations.push_back(to_quaternion(Mat3{cross(way, -up), way, -up}));

@@ -166,7 +166,9 @@ TEST_CASE("the point-spread function displaces on the focal plane", "[sensor][pa
   array.projection = Orthographic{};
   SpreadDescription blur;
   blur.gaussians = {{3e-6, 5e-6}};
-  array.spread = std::make_shared<const PointSpread>(blur, std::vector<spectral::Response>(1));
+  array.spread = std::make_shared<const PointSpread>(
+      blur,
+      std::vector<spectral::Response>{spectral::BoxResponse{Micrometres{0.5}, Micrometres{0.6}}});
   double xx = 0.0, yy = 0.0, xy = 0.0;
   every_path(array, Platform{}, 0, 0, [&](const PathView& view) {
     const Vec3 place = view.ray.origin;

@@ -56,8 +56,8 @@ Track circling() {
 double worst_angle(const PlatformDescription& description, const Platform& platform) {
   double worst = 0.0;
   const double span = platform.last_s() - platform.first_s();
-  for (int i = 0; i <= 2000; ++i) {
-    const double t = platform.first_s() + span * std::min(1.0, i * 0.000500017);
+  for (int i = 0; i <= 500; ++i) {
+    const double t = platform.first_s() + span * std::min(1.0, i * 0.00200007);
     const Mat3 exact = sensor::axes(description.attitude, scene, description.track.at(t), t);
     worst =
         std::max(worst, angle_between(to_quaternion(exact), to_quaternion(platform.at(t).axes)));
@@ -136,7 +136,9 @@ TEST_CASE("a table that turns unevenly is met between all its entries", "[sensor
     table.reference = reference;
     PlatformDescription description{low_orbit(16.0), sensor::checked(table), {}, {}};
     const Platform platform{description, scene, 0.25, 14.0};
-    CHECK(worst_angle(description, platform) < 1e-9);
+    // In the scene's axes the table itself is what turns evenly: rounding alone.
+    const double bound = reference == sensor::Reference::scene ? 5e-15 : 1e-9;
+    CHECK(worst_angle(description, platform) < bound);
   }
 }
 
@@ -151,13 +153,14 @@ TEST_CASE("at a way point the platform turns at once", "[sensor][platform]") {
   CHECK(length(platform.at(4.0).axes.y - Vec3{1, 0, 0}) < 1e-5);
 }
 
-// Straight over the target the image's top, as high as it goes, changes sides within a moment.
+// Straight over the target the image's top, as high as it goes, changes sides; for the 10
+// microseconds between, within 1e-6 rad of the vertical, it is north (look_at).
 TEST_CASE("a law that jumps between the moments of its track is found to a microsecond",
           "[sensor][platform]") {
   const Track track{{-10, 10}, {{-1000, 0, 500}, {1000, 0, 500}}, 2};
   const PlatformDescription description{track, sensor::LookAtAttitude{{0, 0, 0}, {}}, {}, {}};
   const Platform platform{description, scene, -10.0, 10.0};
-  for (const double t : {-1e-4, -5e-6, 5e-6, 1e-4, 3.0}) {
+  for (const double t : {-1e-4, -8e-6, 0.0, 8e-6, 1e-4, 3.0}) {
     const Mat3 exact = sensor::axes(description.attitude, scene, track.at(t), t);
     CHECK(distance(platform.at(t).axes, exact) < 3e-9);
   }

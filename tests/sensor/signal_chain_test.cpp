@@ -208,7 +208,7 @@ TEST_CASE("places on the circle are cosine and sine", "[sensor][detector]") {
     const Vec2 p = on_circle(turns);
     worst = std::max({worst, std::abs(p.x - std::cos(angle)), std::abs(p.y - std::sin(angle))});
   }
-  CHECK(worst < 1e-13);  // (pi / 4)^14 / 14! = 4e-13 at the very ends of an eighth, half of it here
+  CHECK(worst < 3e-14);  // the sine's next term: (pi / 4)^15 / 15! = 2e-14
 }
 
 // Pearson's test of 20,000 counts; 0.001 is the false alarm, the seed is fixed. A mean wrong by 2 %
@@ -252,7 +252,7 @@ TEST_CASE("large counts agree with Poisson's distribution quantile by quantile",
   }
   CHECK(greatest <= 1.0);
   CHECK(different < 3e-3);
-  CHECK(std::abs(bias) < 1e-3);
+  CHECK(std::abs(bias) < 5e-3);  // steps of quantiles are 0.01 of a count
 }
 
 // 4096 pixels: the standard error of the mean is sigma / 64, of sigma 1.1 %. Four of them.

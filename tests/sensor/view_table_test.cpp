@@ -108,8 +108,11 @@ TEST_CASE("view tables that cannot be are refused", "[sensor][view_table]") {
           "line of sight 4 of the view table is not finite or of no length");
   refused([](ViewTable& t) { t.directions[4].x = std::numeric_limits<double>::infinity(); },
           "line of sight 4 of the view table is not finite or of no length");
-  refused([](ViewTable& t) { t.directions[12] = {1.0, 0.0, 0.0}; },
-          "the lines of sight of nodes 2 and 12 of the view table are more than 10 degrees apart");
+  refused(
+      [](ViewTable& t) {
+        t.directions[12] = {1.0, 0.0, 0.0};
+      },
+      "the lines of sight of nodes 2 and 12 of the view table are more than 10 degrees apart");
 }
 
 }  // namespace

@@ -129,3 +129,88 @@ TEST_CASE("a cut ENVI image and a wrong header are refused", "[sim][envi]") {
     CHECK(error.issues()[0].message == "\"samples\" is \"3x\", expected a whole number");
   }
 }
+
+TEST_CASE("an ENVI image written in strips has the bytes of one written at once", "[sim][envi]") {
+  const ScratchFolder folder;
+  write_envi(folder / "whole.img", header(), planes());
+  {
+    EnviWriter writer{folder / "strips.img", header(), EnviType::float32, 2};
+    for (const int line : {0, 1}) {
+      for (std::size_t plane = 0; plane < 2; ++plane) {
+        writer.write(plane, planes()[plane].subspan(3 * static_cast<std::size_t>(line), 3));
+      }
+    }
+    CHECK(folder.entries() == 3);  // whole.img, whole.hdr and the temporary
+    CHECK_FALSE(std::filesystem::exists(folder / "strips.img"));
+    writer.commit();
+  }
+  CHECK(content_of(folder / "strips.img") == content_of(folder / "whole.img"));
+  CHECK(content_of(folder / "strips.hdr") == content_of(folder / "whole.hdr"));
+}
+
+TEST_CASE("planes of an ENVI image may come one before the other", "[sim][envi]") {
+  const ScratchFolder folder;
+  EnviWriter writer{folder / "x.img", header(), EnviType::float32, 2};
+  writer.write(1, planes()[1]);
+  writer.write(0, planes()[0]);
+  writer.commit();
+  CHECK(std::get<0>(read_envi(folder / "x.img").planes) ==
+        std::vector<std::vector<float>>{first, second});
+}
+
+TEST_CASE("an ENVI image that lacks lines gets no name, and more lines are refused",
+          "[sim][envi]") {
+  const ScratchFolder folder;
+  {
+    EnviWriter writer{folder / "x.img", header(), EnviType::float32, 2};
+    writer.write(0, planes()[0]);
+    CHECK_THROWS_AS(writer.write(0, planes()[0].subspan(0, 3)), std::invalid_argument);
+    CHECK_THROWS_AS(writer.write(1, planes()[0].subspan(0, 2)), std::invalid_argument);
+    const std::vector<double> other(3, 0.0);
+    CHECK_THROWS_AS(writer.write(1, other), std::invalid_argument);
+    writer.write(1, planes()[0].subspan(0, 3));
+    CHECK(support::message_of([&] { writer.commit(); }) ==
+          (folder / "x.img").string() + " has 1 of 2 lines");
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("doubles and short numbers keep their bits and their scale", "[sim][envi]") {
+  const ScratchFolder folder;
+  EnviHeader h = header();
+  h.gains = {0.1, 1.0 / 3.0};
+  h.offsets = {-0.5, 0.0};
+  const std::vector<std::uint16_t> low{0, 1, 4095, 65535, 7, 8}, high{6, 5, 4, 3, 2, 1};
+  write_envi(folder / "dn.img", h, std::vector<std::span<const std::uint16_t>>{low, high});
+  const EnviImage numbers = read_envi(folder / "dn.img");
+  CHECK(std::get<std::vector<std::vector<std::uint16_t>>>(numbers.planes) ==
+        std::vector<std::vector<std::uint16_t>>{low, high});
+  CHECK(numbers.header.gains == h.gains);  // exact: shortest digits
+  CHECK(numbers.header.offsets == h.offsets);
+  CHECK(content_of(folder / "dn.hdr").find("data type = 12\n") != std::string::npos);
+
+  const std::vector<double> latitude{46.123456789012345, -89.9, 0.0, 1.0, 2.0, 1e-300};
+  h = header();
+  h.band_names = {"latitude (deg)"};
+  h.wavelength_um = h.fwhm_um = {};
+  write_envi(folder / "place.img", h, std::vector<std::span<const double>>{latitude});
+  CHECK(std::get<std::vector<std::vector<double>>>(read_envi(folder / "place.img").planes).at(0) ==
+        latitude);
+}
+
+TEST_CASE("some lines of an ENVI plane can be read alone", "[sim][envi]") {
+  const ScratchFolder folder;
+  write_envi(folder / "x.img", header(), planes());
+  EnviReader reader{folder / "x.img"};
+  CHECK(reader.planes() == 2);
+  CHECK(reader.type() == EnviType::float32);
+  std::vector<float> line(3);
+  reader.read(1, 1, std::span{line});
+  CHECK(line == std::vector<float>{0.4F, 0.5F, 0.6F});
+  reader.read(0, 0, std::span{line});
+  CHECK(line == std::vector<float>{1.5F, -2.0F, 3.25e-9F});
+  CHECK_THROWS_AS(reader.read(1, 2, std::span{line}), std::invalid_argument);
+  CHECK_THROWS_AS(reader.read(2, 0, std::span{line}), std::invalid_argument);
+  std::vector<double> wider(3);
+  CHECK_THROWS_AS(reader.read(0, 0, std::span{wider}), std::invalid_argument);
+}

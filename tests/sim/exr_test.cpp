@@ -1,5 +1,6 @@
 #include "sim/files/exr.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -60,4 +61,47 @@ TEST_CASE("an EXR that cannot be made or read says which", "[sim][exr]") {
   CHECK(written == "cannot create " + file.string() + ": No such file or directory");
   const std::string read = support::message_of([&] { static_cast<void>(read_exr(file)); });
   CHECK(read.starts_with("cannot read " + file.string() + ": "));
+}
+
+TEST_CASE("an EXR written in strips has the bytes of one written at once", "[sim][exr]") {
+  const ScratchFolder folder;
+  constexpr int samples = 5, lines = 41;  // more than two blocks of 16 lines
+  std::vector<float> values;
+  std::vector<std::uint32_t> ids;
+  for (unsigned i = 0; i < samples * lines; ++i) {
+    values.push_back(0.1F * static_cast<float>(i * i % 97));
+    ids.push_back(i / 3);
+  }
+  write_exr(folder / "whole.exr", {samples, lines, {{"b", values}, {"a", ids}}, {{"count", 7}}});
+  ExrWriter writer{folder / "strips.exr",
+                   {samples, lines, {{"b", false}, {"a", true}}, {{"count", 7}}}};
+  for (std::size_t line = 0; line < lines;) {
+    const std::size_t count = std::min<std::size_t>(7, lines - line);
+    const std::size_t from = line * samples, size = count * samples;
+    writer.write({std::span<const float>{values}.subspan(from, size),
+                  std::span<const std::uint32_t>{ids}.subspan(from, size)});
+    line += count;
+  }
+  CHECK(folder.entries() == 2);  // one of them the temporary
+  CHECK_FALSE(std::filesystem::exists(folder / "strips.exr"));
+  writer.commit();
+  CHECK(support::content_of(folder / "strips.exr") == support::content_of(folder / "whole.exr"));
+}
+
+TEST_CASE("an EXR refuses strips that do not fit and gets no name without its lines",
+          "[sim][exr]") {
+  const ScratchFolder folder;
+  {
+    ExrWriter writer{folder / "a.exr", {2, 3, {{"a", false}}, {}}};
+    const std::vector<float> two(4), half(3), all(6);
+    const std::vector<std::uint32_t> ids(2);
+    writer.write({two});
+    CHECK_THROWS_AS(writer.write({all}), std::invalid_argument);
+    CHECK_THROWS_AS(writer.write({half}), std::invalid_argument);
+    CHECK_THROWS_AS(writer.write({ids}), std::invalid_argument);
+    CHECK_THROWS_AS(writer.write({two, two}), std::invalid_argument);
+    CHECK(support::message_of([&] { writer.commit(); }) ==
+          (folder / "a.exr").string() + " has 2 of 3 lines");
+  }
+  CHECK(folder.entries() == 0);
 }

@@ -9,6 +9,7 @@
 #include "sim/products/band_choice.hpp"
 #include "sim/products/colour_map.hpp"
 #include "sim/products/percentile.hpp"
+#include "sim/products/preview.hpp"
 #include "sim/products/temperature_map.hpp"
 #include "sim/products/tone_map.hpp"
 #include "spectral/planck.hpp"
@@ -275,4 +276,58 @@ TEST_CASE("the same image gives the same picture", "[sim][quick_look]") {
   const ArrayImage image = synthetic_array(64, 64, oli_um);
   const QuickLookOptions options{"t", "2026-06-21T16:00:00Z", "nadir 1", {}};
   CHECK(quick_look(image, options).picture.values == quick_look(image, options).picture.values);
+}
+
+TEST_CASE("the preview of an image that fits holds all pixels that are shown",
+          "[sim][quick_look]") {
+  const ArrayImage image = synthetic_array(20, 10, oli_um);
+  CHECK(preview_step(20, 10, 200) == 1);
+  Preview preview{support::strip_of(image, 0, 4), {}, 200};
+  preview.take(support::strip_of(image, 0, 4));
+  preview.take(support::strip_of(image, 4, 6));
+  CHECK(preview.step() == 1);
+  CHECK(preview.image().bands[3].radiance == image.bands[3].radiance);
+  CHECK(preview.image().bands[4].radiance.empty());  // no part of natural colour
+  const QuickLookOptions options{"t", "", "nadir", {}};
+  const PngImage whole = quick_look(image, options).picture;
+  CHECK(quick_look(preview, options).picture.values == whole.values);
+  CHECK(quick_look(preview, options).picture.text == whole.text);
+}
+
+TEST_CASE("a band named twice is shown as named", "[sim][quick_look]") {
+  const QuickLook look =
+      quick_look(synthetic_array(20, 10, oli_um), {"t", "", "nadir", {"B1", "B1", "B2"}});
+  CHECK(look.bands_as_wanted);
+  CHECK(look.invalid_pixels == 0);
+}
+
+TEST_CASE("a preview never has more pixels than it may", "[sim][quick_look]") {
+  CHECK(preview_step(20, 10, 199) == 2);
+  CHECK(preview_step(20, 10, 50) == 2);
+  CHECK(preview_step(20, 10, 49) == 3);
+  CHECK(preview_step(1, 1'000'000, 1000) == 1000);
+  CHECK(preview_step(7, 7, 1) == 7);
+}
+
+TEST_CASE("a decimated quick look tells so, with counts and extremes of all pixels",
+          "[sim][quick_look]") {
+  const double centre_um = GENERATE(0.6, 10.9);
+  CAPTURE(centre_um);
+  ArrayImage image = synthetic_array(20, 10, {centre_um});
+  image.bands[0].radiance[21] = nan_value;  // neither kept
+  image.bands[0].radiance[23] = 5000.0F;
+  if (centre_um > 3.0) image.bands[0].brightness_temperature[23] = 500.0F;
+  Preview preview{image, {}, 50};
+  preview.take(image);
+  REQUIRE(preview.step() == 2);
+  CHECK(preview.image().samples == 10);
+  CHECK(preview.image().lines == 5);
+  CHECK(preview.image().bands[0].radiance[11] == image.bands[0].radiance[42]);
+  CHECK(preview.image().truth.material[11] == image.truth.material[42]);
+  const QuickLook look = quick_look(preview, {"t", "", "nadir", {}});
+  CHECK(look.invalid_pixels == 1);
+  const std::string& description = look.picture.text[1].second;
+  CHECK(description.find("1 of 2 x 2 pixels shown") != std::string::npos);
+  CHECK(description.find("1 invalid pixels") != std::string::npos);
+  CHECK(description.find(centre_um > 3.0 ? "max 500.0 K" : "to 5000 W") != std::string::npos);
 }

@@ -1,5 +1,6 @@
 #include "sim/products/report.hpp"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include "scratch_folder.hpp"
 #include "sim/files/envi.hpp"
 #include "sim/files/exr.hpp"
+#include "sim/products/running_summary.hpp"
 #include "sim/products/write_products.hpp"
 #include "support/catch.hpp"
 #include "synthetic_array.hpp"
@@ -115,6 +117,45 @@ TEST_CASE("a report holds the summary of every band", "[sim][report]") {
   CHECK(json.find("brightness_temperature_k", first + 1) == std::string::npos);
 }
 
+TEST_CASE("digital numbers are summed up, and saturated ones counted where that is known",
+          "[sim][report]") {
+  ArrayImage image = synthetic_array(2, 2, {0.6, 0.7});
+  image.bands[0].dn = {0, 4095, 4094, 11};
+  const ArraySummary unknown = summarise(image);
+  REQUIRE(unknown.bands.at(0).dn);
+  CHECK_FALSE(unknown.bands[0].dn->saturated_pixels);
+  CHECK_FALSE(unknown.bands.at(1).dn);
+
+  RunningSummary running{image, {4095, std::nullopt}};
+  running.take(image);
+  RunReport report;
+  report.arrays = {running.finish()};
+  CHECK(to_json(report).find(R"(          "dn": {
+            "min": 0.0,
+            "mean": 2050.0,
+            "max": 4095.0,
+            "zero_pixels": 1,
+            "saturated_pixels": 1
+          })") != std::string::npos);
+}
+
+TEST_CASE("percentiles of a decimated summary are those of the kept pixels, the rest is of all",
+          "[sim][report]") {
+  ArrayImage image = synthetic_array(4, 4, {0.6});
+  BandImage& band = image.bands[0];
+  std::fill(band.radiance.begin(), band.radiance.end(), 1.0F);
+  std::fill(band.standard_error.begin(), band.standard_error.end(), 0.5F);
+  // Every second sample of every second line.
+  for (const std::size_t kept : {0U, 2U, 8U, 10U}) band.standard_error[kept] = 0.25F;
+  band.radiance[5] = 9.0F;
+  RunningSummary running{image, {}, 4};
+  running.take(image);
+  const ArraySummary summary = running.finish();
+  CHECK(summary.bands.at(0).p95_relative_error == 0.25);
+  CHECK(summary.bands[0].radiance.greatest == 9.0);
+  CHECK(summary.bands[0].radiance.mean == 1.5);
+}
+
 TEST_CASE("every product is written under its name", "[sim][products]") {
   const ScratchFolder folder;
   ProductContext context;
@@ -144,7 +185,7 @@ TEST_CASE("products hold the planes of the image", "[sim][products]") {
   const ScratchFolder folder;
   const ArrayImage image = synthetic_array(6, 4, {0.48, 10.9});
   ProductContext context;
-  context.quick_look = false;
+  context.wanted.quick_look = false;
   static_cast<void>(write_products({image}, context, folder.path()));
   const EnviImage error = read_envi(folder / "cam_error.img");
   const auto& planes = std::get<std::vector<std::vector<float>>>(error.planes);
@@ -172,7 +213,7 @@ TEST_CASE("products hold the planes of the image", "[sim][products]") {
 TEST_CASE("products that are not wanted are not written", "[sim][products]") {
   const ScratchFolder folder;
   ProductContext context;
-  context.exr = context.quick_look = context.truth = false;
+  context.wanted.exr = context.wanted.quick_look = context.wanted.truth = false;
   const auto written = write_products({synthetic_array(6, 4, {0.5})}, context, folder.path());
   CHECK(written.size() == 4);
   CHECK(folder.entries() == 4);
@@ -194,9 +235,9 @@ TEST_CASE("the user is told of invalid pixels and of bands that are not there", 
   const ScratchFolder folder;
   Diagnostics diagnostics;
   ProductContext context;
-  context.envi = context.exr = false;
+  context.wanted.envi = context.wanted.exr = false;
   context.diagnostics = &diagnostics;
-  context.quick_look_bands = {"B9"};
+  context.wanted.quick_look_bands = {"B9"};
   ArrayImage image = synthetic_array(6, 4, {0.48, 0.56});
   image.bands[1].radiance[3] = nan_value;
   static_cast<void>(write_products({image}, context, folder.path()));
@@ -226,7 +267,7 @@ TEST_CASE("images that cannot become products are refused before anything is wri
 TEST_CASE("an array's name cannot lead out of the folder", "[sim][products]") {
   const ScratchFolder folder;
   ProductContext context;
-  context.envi = context.quick_look = false;
+  context.wanted.envi = context.wanted.quick_look = false;
   ArrayImage image = synthetic_array(6, 4, {0.5});
   image.name = "../a b";
   const auto written = write_products({image}, context, folder.path());

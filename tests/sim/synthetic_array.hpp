@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sim/run/image.hpp"
@@ -43,6 +45,73 @@ inline ArrayImage synthetic_array(int samples, int lines, const std::vector<doub
     image.truth.shadow_fraction.push_back(sky ? nan_value : 0.25F);
   }
   return image;
+}
+
+/// Every plane that an image can have, each with numbers of its own; bands B1 .. at 0.48, 0.56,
+/// 0.655 and 10.9 um, the last without a detector.
+inline ArrayImage full_array(int samples, int lines) {
+  ArrayImage image = synthetic_array(samples, lines, {0.48, 0.56, 0.655, 10.9});
+  image.paths = 8;
+  const std::size_t pixels = image.pixels();
+  float next = 1.0F;
+  const auto fill = [&](auto& plane) {
+    using Number = typename std::decay_t<decltype(plane)>::value_type;
+    next += 1.0F;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      plane.push_back(static_cast<Number>(next + static_cast<float>(i % 1000)));
+    }
+  };
+  for (BandImage& band : image.bands) {
+    if (band.centre_um > 3.0) {
+      fill(band.brightness_temperature_error);
+    } else {
+      fill(band.dn);
+      fill(band.electrons);
+      fill(band.noise);
+    }
+    for (const float radiance : band.radiance) {
+      band.shares.path.push_back(0.25F * radiance);
+      band.shares.emission.push_back(0.5F * radiance);
+    }
+  }
+  TruthImage& truth = image.truth;
+  truth.object_names = {"house"};
+  for (std::size_t i = 0; i < pixels; ++i) truth.object.push_back(static_cast<unsigned>(i % 2));
+  for (const auto& plane : truth_planes) {
+    if ((truth.*plane.values).empty()) fill(truth.*plane.values);
+  }
+  for (const auto& plane : place_planes) fill(truth.*plane.values);
+  truth.fractions.resize(1 + truth.material_names.size());
+  for (auto& plane : truth.fractions) fill(plane);
+  return image;
+}
+
+/// Some lines of an image.
+inline ArrayImage strip_of(const ArrayImage& image, int first_line, int lines) {
+  ArrayImage strip = image;
+  strip.lines = lines;
+  strip.first_line = first_line;
+  strip.all_lines = image.lines;
+  const auto width = static_cast<std::ptrdiff_t>(image.samples);
+  const auto cut = [&](auto& plane) {
+    if (plane.empty()) return;
+    const auto begin = plane.begin() + first_line * width;
+    plane = std::decay_t<decltype(plane)>(begin, begin + lines * width);
+  };
+  for (BandImage& band : strip.bands) {
+    for (auto* plane : {&band.radiance, &band.standard_error, &band.brightness_temperature,
+                        &band.brightness_temperature_error, &band.shares.path,
+                        &band.shares.emission, &band.electrons, &band.noise}) {
+      cut(*plane);
+    }
+    cut(band.dn);
+  }
+  cut(strip.truth.material);
+  cut(strip.truth.object);
+  for (const auto& plane : truth_planes) cut(strip.truth.*plane.values);
+  for (const auto& plane : place_planes) cut(strip.truth.*plane.values);
+  for (auto& plane : strip.truth.fractions) cut(plane);
+  return strip;
 }
 
 }  // namespace nadir::sim::support
