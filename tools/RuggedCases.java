@@ -1,8 +1,10 @@
 // Makes tests/sensor/data/pushbroom_projection.csv: a pushbroom on an orbit, located on the ground
 // by Orekit Rugged (https://www.orekit.org/rugged), which shares no code with Nadir. Directly: the
-// place that a pixel of a line sees, on the WGS84 ellipsoid. Inversely: line and pixel of a place
-// above it. What Rugged is given, a table of poses and a line of sight for each pixel, is computed
-// here; lens distortion is undone by bisection, not by Newton's method.
+// place that a pixel of a line sees, at some height above the WGS84 ellipsoid. Inversely: line and
+// pixel of that place, left out where Rugged's two ways differ by more than 5e-4 pixel (its inverse
+// location, a single step from the line found, feels where the turning changes). What Rugged is
+// given, a table of poses and a line of sight for each pixel, is computed here; lens distortion is
+// undone by bisection, not by Newton's method.
 //
 //   mvn dependency:copy-dependencies (org.orekit:rugged:3.0, Apache License 2.0) into lib/, then
 //   java -cp 'lib/*' tools/RuggedCases.java > tests/sensor/data/pushbroom_projection.csv
@@ -113,27 +115,31 @@ class RuggedCases {
     return new Vector3D(ideal[0], ideal[1], 1.0).normalize();
   }
 
-  static Rugged rugged(List<LineSensor> sensors) {
-    final List<TimeStampedPVCoordinates> places = new ArrayList<>();
-    final List<TimeStampedAngularCoordinates> turns = new ArrayList<>();
+  static final List<TimeStampedPVCoordinates> places = new ArrayList<>();
+  static final List<TimeStampedAngularCoordinates> turns = new ArrayList<>();
+
+  static void tabulate() {
     for (int i = 0; i <= 40; ++i) {
       final double t = i - 20.0;
       places.add(new TimeStampedPVCoordinates(EPOCH.shiftedBy(t), position(t), Vector3D.ZERO));
       print("position,%.3f,%s%n", t, text(position(t)));
     }
     // Close together: Rugged's way between two attitudes is not quite the even one (0.02 microradian
-    // off it halfway over 0.25 s; it shrinks with the square), and its inverse location, a single
-    // step from the line found, feels where the turning changes at a node.
-    for (int i = 0; i <= 108; ++i) {
-      final double t = 0.1 * i - 5.25;
+    // off it halfway over 0.25 s; it shrinks with the square).
+    for (int i = 0; i <= 216; ++i) {
+      final double t = 0.05 * i - 5.25;
       final Vector3D[] a = axes(t);
       turns.add(new TimeStampedAngularCoordinates(EPOCH.shiftedBy(t),
           new Rotation(a[0], a[1], Vector3D.PLUS_I, Vector3D.PLUS_J), Vector3D.ZERO,
           Vector3D.ZERO));
       print("axes,%.3f,%s,%s,%s%n", t, text(a[0]), text(a[1]), text(a[2]));
     }
+  }
+
+  static Rugged rugged(List<LineSensor> sensors, double height) {
     final RuggedBuilder builder = new RuggedBuilder();
-    builder.setAlgorithm(AlgorithmId.IGNORE_DEM_USE_ELLIPSOID);
+    builder.setAlgorithm(AlgorithmId.CONSTANT_ELEVATION_OVER_ELLIPSOID);
+    builder.setConstantElevation(height);
     builder.setEllipsoid(new OneAxisEllipsoid(SEMI_MAJOR, FLATTENING, FramesFactory.getEME2000()));
     builder.setTimeSpan(EPOCH.shiftedBy(-5.0), EPOCH.shiftedBy(5.0), 2e-4, 5.0);
     builder.setTrajectory(InertialFrameId.EME2000, places, 8, CartesianDerivativesFilter.USE_P,
@@ -180,25 +186,31 @@ class RuggedCases {
       sensors.add(new LineSensor(s.name(), new LinearLineDatation(EPOCH.shiftedBy(FIRST_S), 0.0,
           1.0 / LINE_PERIOD_S), Vector3D.ZERO, new LOSBuilder(sights).build()));
     }
-    final Rugged rugged = rugged(sensors);
+    tabulate();
     final OneAxisEllipsoid earth =
         new OneAxisEllipsoid(SEMI_MAJOR, FLATTENING, FramesFactory.getEME2000());
     final Random random = new Random(7);
-    for (Sensor s : all) {
-      for (int i = 0; i < 60; ++i) {
-        final double line = random.nextDouble() * (LINES - 1);
-        final int pixel = random.nextInt(SAMPLES);
-        final GeodeticPoint place = rugged.directLocation(s.name(), line)[pixel];
-        print("direct,%s,%.1f,%.17g,%s%n", s.name(), pixel + 0.5, line + 0.5,
-            text(earth.transform(place)));
-        if (s.modules().length > 0 || i >= 40) continue;
-        final GeodeticPoint raised = new GeodeticPoint(place.getLatitude(), place.getLongitude(),
-            random.nextDouble() * 3000.0);
-        final SensorPixel found = rugged.inverseLocation(s.name(), raised, -50, LINES + 50);
-        if (found == null) continue;
-        print("inverse,%s,%.17g,%.17g,%s%n", s.name(), found.getPixelNumber() + 0.5,
-            found.getLineNumber() + 0.5, text(earth.transform(raised)));
+    int left_out = 0;
+    for (double height : new double[] {0.0, 700.0, 4500.0}) {
+      final Rugged rugged = rugged(sensors, height);
+      for (Sensor s : all) {
+        for (int i = 0; i < 30; ++i) {
+          final double line = random.nextDouble() * (LINES - 1);
+          final int pixel = random.nextInt(SAMPLES);
+          final GeodeticPoint place = rugged.directLocation(s.name(), line)[pixel];
+          print("direct,%s,%.1f,%.17g,%s%n", s.name(), pixel + 0.5, line + 0.5,
+              text(earth.transform(place)));
+          if (s.modules().length > 0) continue;  // its inverse takes sensors for nearly plane
+          final SensorPixel found = rugged.inverseLocation(s.name(), place, -50, LINES + 50);
+          if (Math.hypot(found.getLineNumber() - line, found.getPixelNumber() - pixel) > 5e-4) {
+            ++left_out;
+            continue;
+          }
+          print("inverse,%s,%.17g,%.17g,%s%n", s.name(), found.getPixelNumber() + 0.5,
+              found.getLineNumber() + 0.5, text(earth.transform(place)));
+        }
       }
     }
+    print("# left out: %d%n", left_out);
   }
 }

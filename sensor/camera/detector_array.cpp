@@ -39,12 +39,8 @@ const Module* module_of(const DetectorArray& array, double column) noexcept {
   return after == array.modules.begin() ? &*after : &*(after - 1);
 }
 
-Vec2 focal_place(const DetectorArray& array, const Module* module, DetectorPlace place) noexcept {
-  if (module == nullptr) {
-    return {array.offset_x_m + (place.column - 0.5 * array.samples) * array.pitch_m,
-            array.offset_y_m + place.row_m};
-  }
-  const Seat at = seat(array, *module);
+Vec2 focal_place(const DetectorArray& array, const Module& module, DetectorPlace place) noexcept {
+  const Seat at = seat(array, module);
   const double along = (place.column - at.middle) * array.pitch_m;
   return {at.place_m.x + at.cosine * along - at.sine * place.row_m,
           at.place_m.y + at.sine * along + at.cosine * place.row_m};
@@ -88,10 +84,9 @@ Vec2 focal_of_table(const DetectorArray& array, const ViewTable& table, Vec2 pla
   return {x_m, (place.y - 0.5 * array.lines) * array.height_m()};
 }
 
-Vec3 sight(const DetectorArray& array, Vec2 focal_m) noexcept {
+Vec3 bent_sight(const DetectorArray& array, Vec2 focal_m) noexcept {
   if (const auto* lens = std::get_if<Perspective>(&array.projection)) {
     const double f = lens->focal_length_m;
-    if (lens->distortion.is_none()) return {focal_m.x, focal_m.y, f};
     const Vec2 ideal = undistorted(lens->distortion, {focal_m.x / f, focal_m.y / f});
     return {ideal.x, ideal.y, 1.0};
   }

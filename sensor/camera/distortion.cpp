@@ -32,7 +32,7 @@ Bent bent(const Distortion& lens, Vec2 p) noexcept {
 bool folds(const Distortion& lens, double reach, double angle) {
   const Vec2 outwards{std::cos(angle), std::sin(angle)};
   // Fine enough for polynomials of degree seven; ten times the reach: no camera is built so.
-  constexpr int steps_per_reach = 256, steps = 10 * steps_per_reach;
+  constexpr int steps_per_reach = 128, steps = 10 * steps_per_reach;
   for (int i = 1; i <= steps; ++i) {
     const double r = reach * i / steps_per_reach;
     const Vec2 ideal{r * outwards.x, r * outwards.y};

@@ -135,17 +135,17 @@ PathView path_view(const DetectorArray& array, const Platform& platform, int sam
   draw_moment(array.timing, numbers, at);
   const Module* module = array.modules.empty() ? nullptr : module_of(array, sample);
   Vec2 focal = focal_place(array, module, at.place);
-  PathView view;
-  view.time_s = at.time_s;
+  PointSpread::Draw spread{};
   if (array.spread != nullptr) {
-    view.spread = array.spread->draw(numbers, PathNumber::spread);
-    focal.x += view.spread.displacement_m.x;
-    focal.y += view.spread.displacement_m.y;
+    spread = array.spread->draw(numbers, PathNumber::spread);
+    focal.x += spread.displacement_m.x;
+    focal.y += spread.displacement_m.y;
   }
-  const Pose pose = platform.has_white_jitter() ? shaken_pose(platform, at.time_s, numbers)
-                                                : platform.at(at.time_s);
-  view.ray = ray_from(array, pose, focal);
-  return view;
+  // Built where the caller wants it: copying rays costs as much as computing them.
+  if (platform.has_white_jitter()) {
+    return {ray_from(array, shaken_pose(platform, at.time_s, numbers), focal), at.time_s, spread};
+  }
+  return {ray_from(array, platform.at(at.time_s), focal), at.time_s, spread};
 }
 
 double image_time_s(const DetectorArray& array, ImagePoint image) noexcept {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -91,7 +92,7 @@ Miss miss(const ViewTable& table, Vec2 image, Vec3 towards) {
 }
 
 void check_neighbours(const ViewTable& table, std::size_t index, std::size_t next) {
-  const double cosine = std::cos(10.0 * 0.017453292519943295);
+  const double cosine = std::cos(std::numbers::pi / 18.0);
   if (dot(table.directions[index], table.directions[next]) >= cosine) return;
   throw InputError{"the lines of sight of nodes " + std::to_string(index) + " and " +
                    std::to_string(next) + " of the view table are more than 10 degrees apart"};

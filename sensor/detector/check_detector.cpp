@@ -13,20 +13,20 @@ struct Range {
   bool with_lo = true, with_hi = true;
 };
 
-constexpr double unbounded = 1e300;
-constexpr Range not_negative{0.0, unbounded};
-constexpr Range positive{0.0, unbounded, false};
-constexpr Range share{0.0, 1.0};
-constexpr Range positive_share{0.0, 1.0, false};
-constexpr Range less_than_one{0.0, 1.0, true, false};
+constexpr double no_limit = 1e300;
+constexpr Range at_least_zero{0.0, no_limit};
+constexpr Range above_zero{0.0, no_limit, false};
+constexpr Range from_0_to_1{0.0, 1.0};
+constexpr Range up_to_1{0.0, 1.0, false};
+constexpr Range below_1{0.0, 1.0, true, false};
 
 std::string range_text(const Range& range) {
-  if (range.hi == unbounded) return range.with_lo ? "at least 0" : "above 0";
+  if (range.hi == no_limit) return range.with_lo ? "at least 0" : "above 0";
   return std::string{range.with_lo ? "in [" : "in ("} + number_text(range.lo) + ", " +
          number_text(range.hi) + (range.with_hi ? "]" : ")");
 }
 
-void require(const char* what, double value, const Range& range) {
+void require_in_range(const char* what, double value, const Range& range) {
   const bool above = range.with_lo ? value >= range.lo : value > range.lo;
   const bool below = range.with_hi ? value <= range.hi : value < range.hi;
   if (above && below) return;  // NaN fails both
@@ -35,13 +35,13 @@ void require(const char* what, double value, const Range& range) {
 }
 
 void check_optics(const Optics& optics) {
-  require("an f-number", optics.f_number, positive);
-  require("an obscuration", optics.obscuration, less_than_one);
-  require("a transmittance", optics.transmittance, positive_share);
-  require("a power of the fall-off", optics.falloff_power, not_negative);
-  require("a temperature of the optics, K,", optics.temperature_k, not_negative);
-  require("an emissivity of the optics", optics.emissivity, share);
-  require("a temperature of the shield, K,", optics.shield_temperature_k, not_negative);
+  require_in_range("an f-number", optics.f_number, above_zero);
+  require_in_range("an obscuration", optics.obscuration, below_1);
+  require_in_range("a transmittance", optics.transmittance, up_to_1);
+  require_in_range("a power of the fall-off", optics.falloff_power, at_least_zero);
+  require_in_range("a temperature of the optics, K,", optics.temperature_k, at_least_zero);
+  require_in_range("an emissivity of the optics", optics.emissivity, from_0_to_1);
+  require_in_range("a temperature of the shield, K,", optics.shield_temperature_k, at_least_zero);
   constexpr double rounding = 1e-9;  // 1 - 0.9 is not 0.1 in binary
   if (optics.temperature_k > 0.0 && optics.emissivity + optics.transmittance > 1.0 + rounding) {
     throw InputError{
@@ -52,23 +52,24 @@ void check_optics(const Optics& optics) {
 }
 
 void check_element(const PhotonDetector& element) {
-  require("an efficiency", element.efficiency, positive_share);
-  require("a detector's area, m^2,", element.area_m2, positive);
-  require("a dark current, electrons per s,", element.dark_e_s, not_negative);
-  require("a detector's temperature, K,", element.temperature_k, positive);
-  require("a reference temperature of the dark current, K,", element.dark_reference_k, positive);
-  require("a doubling of the dark current, K,", element.dark_doubling_k, positive);
-  require("a read noise, electrons,", element.read_noise_e, not_negative);
-  require("a line noise, electrons,", element.line_noise_e, not_negative);
-  require("a correlation from line to line", element.line_correlation, less_than_one);
-  require("a photo-response non-uniformity", element.prnu, less_than_one);
-  require("a dark-signal non-uniformity, electrons,", element.dsnu_e, not_negative);
-  require("a full well, electrons,", element.full_well_e, positive);
+  require_in_range("an efficiency", element.efficiency, up_to_1);
+  require_in_range("a detector's area, m^2,", element.area_m2, above_zero);
+  require_in_range("a dark current, electrons per s,", element.dark_e_s, at_least_zero);
+  require_in_range("a detector's temperature, K,", element.temperature_k, above_zero);
+  require_in_range("a reference temperature of the dark current, K,", element.dark_reference_k,
+                   above_zero);
+  require_in_range("a doubling of the dark current, K,", element.dark_doubling_k, above_zero);
+  require_in_range("a read noise, electrons,", element.read_noise_e, at_least_zero);
+  require_in_range("a line noise, electrons,", element.line_noise_e, at_least_zero);
+  require_in_range("a correlation from line to line", element.line_correlation, below_1);
+  require_in_range("a photo-response non-uniformity", element.prnu, below_1);
+  require_in_range("a dark-signal non-uniformity, electrons,", element.dsnu_e, at_least_zero);
+  require_in_range("a full well, electrons,", element.full_well_e, above_zero);
 }
 
 void check_element(const PublishedNoise& element) {
-  require("alpha of the published noise", element.alpha, not_negative);
-  require("beta of the published noise", element.beta, not_negative);
+  require_in_range("alpha of the published noise", element.alpha, at_least_zero);
+  require_in_range("beta of the published noise", element.beta, at_least_zero);
 }
 
 }  // namespace
@@ -79,13 +80,14 @@ void check(const Detector& detector) {
     throw InputError{"expected 1 to 16 bits, found " + std::to_string(digitiser.bits)};
   }
   const double top = static_cast<double>((1U << static_cast<unsigned>(digitiser.bits)) - 1U);
-  require("a black level, DN,", digitiser.black_level_dn, {0.0, top, true, false});
-  require("a share of dead detectors", detector.dead_share, less_than_one);
+  require_in_range("a black level, DN,", digitiser.black_level_dn, {0.0, top, true, false});
+  require_in_range("a share of dead detectors", detector.dead_share, below_1);
   if (std::holds_alternative<PhotonDetector>(detector.element)) {
     check_optics(detector.optics);
-    if (digitiser.gain_dn_e) require("a gain, DN per electron,", *digitiser.gain_dn_e, positive);
+    if (digitiser.gain_dn_e)
+      require_in_range("a gain, DN per electron,", *digitiser.gain_dn_e, above_zero);
   } else {
-    require("a saturation radiance", digitiser.saturation, positive);
+    require_in_range("a saturation radiance", digitiser.saturation, above_zero);
   }
   std::visit([](const auto& element) { check_element(element); }, detector.element);
 }

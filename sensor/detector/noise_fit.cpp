@@ -25,14 +25,14 @@ struct Line {
   double constant = 0.0, slope = 0.0;
 };
 
-/// Moments of the relative residuals: row i of the system is (1, L_i) / variance_i against 1, so
+/// FitMoments of the relative residuals: row i of the system is (1, L_i) / variance_i against 1, so
 /// that the least noise counts as much as the greatest.
-struct Moments {
+struct FitMoments {
   double aa = 0.0, ab = 0.0, bb = 0.0, a1 = 0.0, b1 = 0.0;
 };
 
-Moments moments_of(const std::vector<NoiseFigure>& figures) {
-  Moments m;
+FitMoments moments_of(const std::vector<NoiseFigure>& figures) {
+  FitMoments m;
   for (const NoiseFigure& figure : figures) {
     const double a = 1.0 / (figure.sigma * figure.sigma), b = figure.radiance * a;
     m.aa += a * a;
@@ -45,14 +45,14 @@ Moments moments_of(const std::vector<NoiseFigure>& figures) {
 }
 
 /// Sum of squares of the residuals, without its constant.
-double cost(const Moments& m, const Line& line) noexcept {
+double cost(const FitMoments& m, const Line& line) noexcept {
   const double a = line.constant, b = line.slope;
   return a * a * m.aa + 2.0 * a * b * m.ab + b * b * m.bb - 2.0 * (a * m.a1 + b * m.b1);
 }
 
 /// Non-negative least squares of two unknowns: the free minimum, or the better one of the two
 /// edges.
-Line fit_line(const Moments& m) noexcept {
+Line fit_line(const FitMoments& m) noexcept {
   const double determinant = m.aa * m.bb - m.ab * m.ab;
   const Line free{(m.a1 * m.bb - m.b1 * m.ab) / determinant,
                   (m.b1 * m.aa - m.a1 * m.ab) / determinant};
@@ -76,7 +76,7 @@ PublishedNoise fit_noise(const std::vector<NoiseFigure>& figures) {
   const bool one_radiance =
       std::all_of(figures.begin(), figures.end(),
                   [&](const NoiseFigure& figure) { return figure.radiance == radiance; });
-  const Moments m = moments_of(figures);
+  const FitMoments m = moments_of(figures);
   const Line line = one_radiance ? split(m.a1 / m.aa, radiance) : fit_line(m);
   return {std::sqrt(line.constant), line.slope};
 }

@@ -54,6 +54,12 @@ double falloff_power(const Detector& detector) noexcept {
                                                                   : 0.0;
 }
 
+void check_lengths(std::size_t samples, const SignalChain::Line& out) {
+  const auto fits = [&](const auto& plane) { return plane.empty() || plane.size() == samples; };
+  if (out.dn.size() == samples && fits(out.electrons) && fits(out.noise)) return;
+  throw std::invalid_argument{"a line's radiance and its numbers differ in length"};
+}
+
 }  // namespace
 
 SignalChain::Photons SignalChain::folded(const DetectorArray& array, std::size_t band,
@@ -177,11 +183,7 @@ double SignalChain::sigma(const Published& p, double radiance, double /*falloff*
 }
 
 void SignalChain::expose(std::span<const float> radiance, const Line& out) {
-  if (radiance.size() != out.dn.size() ||
-      (!out.electrons.empty() && out.electrons.size() != out.dn.size()) ||
-      (!out.noise.empty() && out.noise.size() != out.dn.size())) {
-    throw std::invalid_argument{"a line's radiance and its numbers differ in length"};
-  }
+  check_lengths(radiance.size(), out);
   next_line();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto each = [&](const auto& element) {

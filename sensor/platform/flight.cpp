@@ -62,8 +62,8 @@ Track even_track(const PositionLaw& law, const geometry::LocalFrame& frame, Even
 }
 
 /// Whether the table agrees with the law in the steps between its margins.
-bool agrees(const Track& track, const PositionLaw& law, const geometry::LocalFrame& frame,
-            double tolerance_m) {
+bool follows_law(const Track& track, const PositionLaw& law, const geometry::LocalFrame& frame,
+                 double tolerance_m) {
   const auto& times_s = track.times_s();
   for (std::size_t i = margin_nodes; i + margin_nodes + 1 < times_s.size(); ++i) {
     // The middle, where the polynomial is worst, and a place where a law that repeats itself in
@@ -118,10 +118,10 @@ Track tabulated(const PositionLaw& law, const geometry::LocalFrame& frame, doubl
   const double span_s = std::max(last_s - first_s, 0.1);
   for (std::size_t steps = 10; steps <= most_places; steps *= 2) {
     const double step_s = span_s / static_cast<double>(steps);
-    const Track track = even_track(
+    Track track = even_track(
         law, frame,
         {first_s - step_s * margin_nodes, step_s, steps + 2 * std::size_t{margin_nodes} + 1});
-    if (agrees(track, law, frame, tolerance_m)) return track;
+    if (follows_law(track, law, frame, tolerance_m)) return track;
   }
   throw InputError{"the platform moves too restlessly: " + std::to_string(most_places) +
                    " places are not enough for its track"};

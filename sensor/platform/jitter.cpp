@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 constexpr double steps_a_period = 16.0;
 // Steps of the table before the span's first moment and after its last: what the cubic reaches.
 constexpr std::size_t margin_steps = 2;
-constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+constexpr double Vec3::*jitter_axes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 void check_spectrum(const JitterSpectrum& spectrum) {
   const auto& frequencies = spectrum.frequencies_hz;
@@ -197,8 +197,8 @@ Jitter::Jitter(const JitterDescription& description, double first_s, double last
     const JitterSpectrum& spectrum = description.spectra[axis];
     if (spectrum.frequencies_hz.empty()) continue;
     realise(spectrum, step_s_, Rng{description.seed, axis}, waves, turns);
-    for (std::size_t n = 0; n < table_.size(); ++n) table_[n].*components[axis] = waves[n].real();
-    coloured_rms_rad_.*components[axis] =
+    for (std::size_t n = 0; n < table_.size(); ++n) table_[n].*jitter_axes[axis] = waves[n].real();
+    coloured_rms_rad_.*jitter_axes[axis] =
         std::sqrt(power_below(spectrum, spectrum.frequencies_hz.back()));
   }
 }

@@ -9,13 +9,13 @@
 namespace nadir::sensor {
 namespace {
 
-Mat3 moved(const FixedMount& /*law*/, const Pose& rest, double /*time_s*/) { return rest.axes; }
+Mat3 law_axes(const FixedMount& /*law*/, const Pose& rest, double /*time_s*/) { return rest.axes; }
 
-Mat3 moved(const ScanMount& law, const Pose& rest, double time_s) {
+Mat3 law_axes(const ScanMount& law, const Pose& rest, double time_s) {
   return rest.axes * rotation(law.axis, scan_angle(law, time_s));
 }
 
-Mat3 moved(const StareMount& law, const Pose& rest, double /*time_s*/) {
+Mat3 law_axes(const StareMount& law, const Pose& rest, double /*time_s*/) {
   const Vec3 offset = law.target - rest.position;
   const double distance = length(offset);
   if (!(distance > 0.0)) return rest.axes;
@@ -73,7 +73,7 @@ double scan_angle(const ScanMount& scan, double time_s) noexcept {
 Pose carried(const Pose& carrier, const Mount& mount, double time_s) noexcept {
   const Pose rest{carrier.position + carrier.axes * mount.offset_m, carrier.axes * mount.axes};
   return {rest.position,
-          std::visit([&](const auto& law) { return moved(law, rest, time_s); }, mount.law)};
+          std::visit([&](const auto& law) { return law_axes(law, rest, time_s); }, mount.law)};
 }
 
 void check(const Mount& mount) {

@@ -12,11 +12,11 @@
 namespace nadir::sensor {
 namespace {
 
-struct TimeSpan {
+struct PlatformSpan {
   double first_s, last_s;
 };
 
-void check_cover(const std::string& what, TimeSpan has, TimeSpan needed) {
+void check_cover(const std::string& what, PlatformSpan has, PlatformSpan needed) {
   // A nanosecond: times of lines are sums, and rounded.
   if (needed.first_s >= has.first_s - 1e-9 && needed.last_s <= has.last_s + 1e-9) return;
   throw InputError{what + " runs from " + number_text(has.first_s) + " to " +
@@ -24,7 +24,7 @@ void check_cover(const std::string& what, TimeSpan has, TimeSpan needed) {
                    number_text(needed.first_s) + " to " + number_text(needed.last_s) + " s"};
 }
 
-void check_spans(const PlatformDescription& description, TimeSpan needed) {
+void check_spans(const PlatformDescription& description, PlatformSpan needed) {
   if (!(std::isfinite(needed.first_s) && std::isfinite(needed.last_s) &&
         needed.first_s <= needed.last_s)) {
     throw InputError{"the span of a platform must be finite and not end before it begins"};
@@ -38,14 +38,14 @@ void check_spans(const PlatformDescription& description, TimeSpan needed) {
 }
 
 /// Moments of a table that lie inside a span.
-void add_inside(const std::vector<double>& times_s, TimeSpan span, std::vector<double>& to) {
+void add_inside(const std::vector<double>& times_s, PlatformSpan span, std::vector<double>& to) {
   const auto begin = std::upper_bound(times_s.begin(), times_s.end(), span.first_s);
   const auto end = std::lower_bound(times_s.begin(), times_s.end(), span.last_s);
   if (begin < end) to.insert(to.end(), begin, end);
 }
 
 /// Where the pieces of a description meet in a span, and the span's ends.
-std::vector<double> borders(const PlatformDescription& description, TimeSpan span) {
+std::vector<double> borders(const PlatformDescription& description, PlatformSpan span) {
   std::vector<double> result{span.first_s, span.last_s};
   if (!description.track.is_fixed()) add_inside(description.track.times_s(), span, result);
   if (const auto* const table = std::get_if<TabulatedAttitude>(&description.attitude)) {
@@ -57,9 +57,9 @@ std::vector<double> borders(const PlatformDescription& description, TimeSpan spa
 }
 
 /// Axes to the last digit: a description may give them to six.
-Mat3 orthonormal(const Mat3& axes) { return to_matrix(to_quaternion(axes)); }
+Mat3 orthonormal_axes(const Mat3& axes) { return to_matrix(to_quaternion(axes)); }
 
-Pose turned(const Pose& pose, Vec3 angles_rad) {
+Pose turned_by(const Pose& pose, Vec3 angles_rad) {
   return {pose.position, pose.axes * to_matrix(small_rotation(angles_rad))};
 }
 
@@ -79,13 +79,13 @@ Platform::Platform(const PlatformDescription& description, const geometry::Local
   check_spans(legal, {first_s, last_s});
   for (Mount& mount : legal.mounts) {
     check(mount);
-    mount.axes = orthonormal(mount.axes);
+    mount.axes = orthonormal_axes(mount.axes);
   }
   jitter_ = Jitter{description.jitter, first_s, last_s};
   still_ = track_.is_fixed() && is_constant(legal.attitude);
   if (still_) {
     const TrackState state = track_.at(first_s);
-    pose_ = {state.position, orthonormal(axes(legal.attitude, frame, state, first_s))};
+    pose_ = {state.position, orthonormal_axes(axes(legal.attitude, frame, state, first_s))};
   }
   take_static_mounts(legal.mounts);
   if (!still_) tabulate(legal, frame);
@@ -130,13 +130,13 @@ Pose Platform::steady(double time_s) const noexcept {
 
 Pose Platform::at(double time_s) const noexcept {
   if (!jitter_.has_memory()) return steady(time_s);
-  return turned(steady(time_s), jitter_.angles_rad(time_s));
+  return turned_by(steady(time_s), jitter_.angles_rad(time_s));
 }
 
 Pose Platform::shaken(double time_s, Vec3 normal) const noexcept {
   const Vec3 rms = jitter_.white_rms_rad();
   const Vec3 white{rms.x * normal.x, rms.y * normal.y, rms.z * normal.z};
-  return turned(steady(time_s), jitter_.angles_rad(time_s) + white);
+  return turned_by(steady(time_s), jitter_.angles_rad(time_s) + white);
 }
 
 }  // namespace nadir::sensor

@@ -18,7 +18,7 @@ constexpr EnviType envi_type = std::is_same_v<T, float>           ? EnviType::fl
                                : std::is_same_v<T, std::uint16_t> ? EnviType::uint16
                                                                   : EnviType::uint32;
 
-constexpr std::size_t bytes_of(EnviType type) {
+constexpr std::size_t envi_value_bytes(EnviType type) {
   return type == EnviType::float64 ? 8 : type == EnviType::uint16 ? 2 : 4;
 }
 
@@ -57,7 +57,7 @@ void add(std::string& text, const char* key, const std::string& value) {
   if (!value.empty()) text += fmt::format("{} = {}\n", key, single(value));
 }
 
-std::string header_text(const EnviHeader& h, std::size_t bands, EnviType type) {
+std::string envi_header_text(const EnviHeader& h, std::size_t bands, EnviType type) {
   std::string text = "ENVI\n";
   text += fmt::format("description = {{{}}}\n", single(h.description));
   text += fmt::format("samples = {}\nlines = {}\nbands = {}\n", h.samples, h.lines, bands);
@@ -94,7 +94,7 @@ void check_one_a_plane(std::size_t count, std::size_t planes, const char* what) 
       fmt::format("an ENVI image of {} planes got {} {}", planes, count, what));
 }
 
-void check_header(const EnviHeader& header, std::size_t planes) {
+void check_envi_header(const EnviHeader& header, std::size_t planes) {
   if (header.samples < 1 || header.lines < 1 || planes == 0) {
     throw std::invalid_argument("an ENVI image needs at least one sample, line and plane");
   }
@@ -129,7 +129,7 @@ struct EnviWriter::State {
   AtomicFile file;
 
   [[nodiscard]] std::uint64_t line_bytes() const {
-    return bytes_of(type) * static_cast<std::uint64_t>(header.samples);
+    return envi_value_bytes(type) * static_cast<std::uint64_t>(header.samples);
   }
   [[nodiscard]] std::uint64_t plane_bytes() const {
     return line_bytes() * static_cast<std::uint64_t>(header.lines);
@@ -138,7 +138,7 @@ struct EnviWriter::State {
 
 EnviWriter::EnviWriter(const std::filesystem::path& image, EnviHeader header, EnviType type,
                        std::size_t planes) {
-  check_header(header, planes);
+  check_envi_header(header, planes);
   state_.reset(new State{image, std::move(header), type, std::vector<std::uint64_t>(planes, 0),
                          AtomicFile{image}});
 }
@@ -153,7 +153,7 @@ void EnviWriter::write_bytes(std::size_t plane, EnviType type, std::span<const s
   if (bytes.size() % s.line_bytes() != 0 || done + bytes.size() > s.plane_bytes()) {
     throw std::invalid_argument(fmt::format("a plane of {} x {} pixels has {} values",
                                             s.header.samples, s.header.lines,
-                                            (done + bytes.size()) / bytes_of(s.type)));
+                                            (done + bytes.size()) / envi_value_bytes(s.type)));
   }
   const std::uint64_t place = plane * s.plane_bytes() + done;
   if (s.file.position() != place) s.file.seek(place);
@@ -182,7 +182,7 @@ void EnviWriter::commit() {
                                        done / s.line_bytes(), s.header.lines));
   }
   AtomicFile header_file{envi_header_of(s.path)};
-  header_file.write(header_text(s.header, s.written.size(), s.type));
+  header_file.write(envi_header_text(s.header, s.written.size(), s.type));
   commit_pair(s.file, header_file);
 }
 
@@ -191,7 +191,7 @@ namespace {
 template <class T>
 void write_whole_envi(const std::filesystem::path& image, const EnviHeader& header,
                       const std::vector<std::span<const T>>& planes) {
-  check_header(header, planes.size());
+  check_envi_header(header, planes.size());
   const auto pixels =
       static_cast<std::size_t>(header.samples) * static_cast<std::size_t>(header.lines);
   for (const auto& plane : planes) {

@@ -65,18 +65,18 @@ void insert(Imf::Header& header, const std::string& name, const ExrAttribute& at
              attribute);
 }
 
-struct Plane {
+struct ExrPlane {
   const void* data = nullptr;
   std::size_t count = 0;
 };
 
-Plane plane_of(const ExrValues& values) {
-  return std::visit([](auto span) { return Plane{span.data(), span.size()}; }, values);
+ExrPlane exr_plane_of(const ExrValues& values) {
+  return std::visit([](auto span) { return ExrPlane{span.data(), span.size()}; }, values);
 }
 
 Imf::PixelType pixel_type(bool ids) { return ids ? Imf::UINT : Imf::FLOAT; }
 
-Imf::Header header_of(const ExrWriter::Layout& layout) {
+Imf::Header exr_header_of(const ExrWriter::Layout& layout) {
   if (layout.samples < 1 || layout.lines < 1 || layout.channels.empty()) {
     throw std::invalid_argument("an EXR image needs at least one sample, line and channel");
   }
@@ -96,7 +96,7 @@ Imf::Header header_of(const ExrWriter::Layout& layout) {
 
 struct ExrWriter::State {
   State(const std::filesystem::path& path, const Layout& l)
-      : header{header_of(l)}, layout{l}, target{path}, stream{target} {
+      : header{exr_header_of(l)}, layout{l}, target{path}, stream{target} {
     output.emplace(stream, header);
   }
 
@@ -104,7 +104,7 @@ struct ExrWriter::State {
   [[nodiscard]] int lines_of(std::size_t channel, const ExrValues& values) const {
     const ExrChannelKind& kind = layout.channels[channel];
     const auto samples = static_cast<std::size_t>(layout.samples);
-    const std::size_t count = plane_of(values).count;
+    const std::size_t count = exr_plane_of(values).count;
     const auto left = static_cast<std::size_t>(layout.lines - next_line);
     const bool fits = count % samples == 0 && count / samples <= left;
     if (!fits || kind.ids != std::holds_alternative<std::span<const std::uint32_t>>(values)) {
@@ -141,7 +141,7 @@ void ExrWriter::write(const std::vector<ExrValues>& strip) {
       throw std::invalid_argument("the EXR channel " + name + " has the wrong size");
     }
     // OpenEXR wants a pointer that it may write to even for output; it only reads.
-    void* data = const_cast<void*>(plane_of(strip[i]).data);
+    void* data = const_cast<void*>(exr_plane_of(strip[i]).data);
     frame.insert(name, Imf::Slice::Make(pixel_type(ids), data, window));
   }
   s.output->setFrameBuffer(frame);
@@ -166,7 +166,7 @@ void write_exr(const std::filesystem::path& file, const ExrImage& image) {
   const auto pixels =
       static_cast<std::size_t>(image.samples) * static_cast<std::size_t>(image.lines);
   for (const ExrChannel& channel : image.channels) {
-    if (plane_of(channel.values).count != pixels) {
+    if (exr_plane_of(channel.values).count != pixels) {
       throw std::invalid_argument("the EXR channel " + channel.name + " has the wrong size");
     }
     layout.channels.push_back(

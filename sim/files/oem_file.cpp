@@ -20,6 +20,21 @@ using OemWords = std::vector<Token>;
 
 // ---- Times -------------------------------------------------------------------------------------
 
+std::string two_digits_of(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
+
+/// The month and day of a day of the year, as 12-18; nothing for a day that the year has not.
+std::optional<std::string> month_and_day(int year, int day_of_year) {
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  const std::array lengths{31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  int day = day_of_year, month = 1;
+  for (const int length : lengths) {
+    if (day >= 1 && day <= length) return two_digits_of(month) + "-" + two_digits_of(day);
+    day -= length;
+    ++month;
+  }
+  return std::nullopt;
+}
+
 /// 1996-353T12:00:00.331 and 1996-12-18T12:00:00.331Z, both of which the format allows, as the
 /// second with a Z; decimals past the nanosecond are cut off.
 std::string iso_time(std::string_view text) {
@@ -29,18 +44,11 @@ std::string iso_time(std::string_view text) {
     time.resize(std::min(time.size(), point + 10));
     if (time.back() == '.') time.pop_back();
   }
-  const auto year = strict_number_in<int>(std::string_view{time}.substr(0, 4));
-  if (time.size() > 8 && time[4] == '-' && time[8] == 'T' && year) {
+  if (time.size() > 8 && time[4] == '-' && time[8] == 'T') {
+    const auto year = strict_number_in<int>(std::string_view{time}.substr(0, 4));
     const auto day = strict_number_in<int>(std::string_view{time}.substr(5, 3));
-    const bool leap = (*year % 4 == 0 && *year % 100 != 0) || *year % 400 == 0;
-    if (day && *day >= 1 && *day <= (leap ? 366 : 365)) {
-      const std::array lengths{31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-      int left = *day;
-      std::size_t month = 0;
-      while (left > lengths[month]) left -= lengths[month++];
-      const auto two = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n); };
-      time.replace(5, 3, two(static_cast<int>(month) + 1) + "-" + two(left));
-    }
+    const auto date = year && day ? month_and_day(*year, *day) : std::nullopt;
+    if (date) time.replace(5, 3, *date);
   }
   return time + "Z";
 }

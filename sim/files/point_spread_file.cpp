@@ -12,15 +12,16 @@
 namespace nadir::sim {
 namespace {
 
-constexpr std::string_view first_line = "# nadir-point-spread: 1";
-constexpr std::string_view pitch_key = "pitch_um";
-constexpr std::array<std::string_view, 5> remarks{"title", "source", "licence", "made-by", "note"};
+constexpr std::string_view point_spread_mark = "# nadir-point-spread: 1";
+constexpr std::string_view spread_pitch_key = "pitch_um";
+constexpr std::array<std::string_view, 5> spread_remarks{"title", "source", "licence", "made-by",
+                                                         "note"};
 constexpr double most_pitch_um = 1e9;
 constexpr double least_um = 0.1, most_um = 100.0;  // wavelengths; nm or Angstrom lie far outside
-constexpr double sum_tolerance = 1e-3;             // as sensor::PointSpread; rounding of the file
+constexpr double spread_sum_tolerance = 1e-3;      // as sensor::PointSpread; rounding of the file
 
 /// Six digits: a sum's rounding errors tell nothing.
-std::string short_text(double value) {
+std::string six_digits(double value) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::general, 6)
@@ -35,9 +36,9 @@ class PointSpreadReader {
   }
 
   sensor::TabulatedSpread read() {
-    if (without_blanks(next()) != first_line) {
-      issues_.add(token(whole_),
-                  "expected \"" + std::string{first_line} + "\", found " + start_in_quotes(whole_));
+    if (without_blanks(next()) != point_spread_mark) {
+      issues_.add(token(whole_), "expected \"" + std::string{point_spread_mark} + "\", found " +
+                                     start_in_quotes(whole_));
       issues_.throw_if_any();
     }
     while (!rest_.empty()) read_line(without_blanks(next()));
@@ -78,14 +79,15 @@ class PointSpreadReader {
     if (colon == std::string_view::npos) return;  // a remark
     const std::string_view key = without_blanks(text.substr(0, colon));
     const std::string_view value = without_blanks(text.substr(colon + 1));
-    if (std::find(remarks.begin(), remarks.end(), key) != remarks.end()) return;
-    if (key != pitch_key) {
-      std::vector<std::string> known{remarks.begin(), remarks.end()};
-      known.emplace_back(pitch_key);
+    if (std::find(spread_remarks.begin(), spread_remarks.end(), key) != spread_remarks.end())
+      return;
+    if (key != spread_pitch_key) {
+      std::vector<std::string> known{spread_remarks.begin(), spread_remarks.end()};
+      known.emplace_back(spread_pitch_key);
       const std::string near = nearest_name(std::string{key}, known);
       issues_.add(token(key), "unknown key \"" + std::string{key} + "\"",
                   near.empty() ? "" : "did you mean \"" + near + "\"?");
-      pitch_refused_ |= near == pitch_key;
+      pitch_refused_ |= near == spread_pitch_key;
       return;
     }
     const auto pitch = strict_number_in<double>(value);
@@ -156,9 +158,9 @@ class PointSpreadReader {
     }
     double sum = 0.0;
     for (const double value : slice.weights) sum += value;
-    if (std::abs(sum - 1.0) <= sum_tolerance) return;
+    if (std::abs(sum - 1.0) <= spread_sum_tolerance) return;
     issues_.add(heading_,
-                "the weights of this wavelength sum to " + short_text(sum) + ", not to 1");
+                "the weights of this wavelength sum to " + six_digits(sum) + ", not to 1");
   }
 
   std::string_view rest_, whole_;

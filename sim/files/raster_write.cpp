@@ -71,7 +71,7 @@ std::vector<NadirGeoTiffBand> plain_bands(const std::vector<GeoTiffBand>& bands,
   std::vector<NadirGeoTiffBand> plain;
   for (const GeoTiffBand& band : bands) {
     plain.push_back({band.description.c_str(), band.unit.c_str(), band.scale, band.offset,
-                     texts.of(band.items), texts.of(band.imagery)});
+                     texts.of(band.items)});
   }
   return plain;
 }
@@ -166,7 +166,6 @@ void write_geotiff(const fs::path& target, const GeoTiff& wanted) {
   }
   job.rpc = texts.of(wanted.rpc);
   job.items = texts.of(wanted.items);
-  job.imagery = texts.of(wanted.imagery);
   job.bands = bands.data();
   job.band_count = static_cast<int>(bands.size());
   job.nan_is_no_data = wanted.nan_is_no_data ? 1 : 0;

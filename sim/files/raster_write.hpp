@@ -34,7 +34,7 @@ struct ControlPoint {
 struct GeoTiffBand {
   std::string description, unit;
   double scale = 1.0, offset = 0.0;
-  TextItems items{}, imagery{};  ///< metadata, and that of the domain IMAGERY
+  TextItems items{};  ///< metadata
 };
 
 struct GeoTiff {
@@ -42,7 +42,7 @@ struct GeoTiff {
   std::optional<MapPlacement> map;
   std::vector<ControlPoint> control;  ///< excludes `map`
   TextItems rpc;                      ///< GDAL's names of rational polynomial coefficients
-  TextItems items, imagery;
+  TextItems items;
   std::vector<GeoTiffBand> bands;  ///< one a band of the source
   bool nan_is_no_data = false;
 };

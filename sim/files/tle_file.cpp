@@ -1,8 +1,8 @@
 #include "sim/files/tle_file.hpp"
 
-#include <cctype>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -130,37 +130,53 @@ std::string_view satellite_name(std::string_view line) {
   return without_blanks(line);
 }
 
+/// Puts the lines of a file together to sets.
+class SetCollector {
+ public:
+  explicit SetCollector(FileIssues& issues) : issues_{issues} {}
+
+  void take(const Token& line) {
+    if (starts_as(line, '1')) {
+      end_alone();
+      first_ = line;
+    } else if (starts_as(line, '2')) {
+      if (first_) {
+        sets_.push_back({name_, *first_, line});
+      } else {
+        issues_.add(line, "line 2 of a set of elements without its line 1");
+      }
+      first_.reset();
+      name_ = {};
+    } else {
+      end_alone();
+      name_ = satellite_name(line.text);
+    }
+  }
+  std::vector<ElementSet> sets() {
+    end_alone();
+    return std::move(sets_);
+  }
+
+ private:
+  void end_alone() {
+    if (first_) issues_.add(*first_, "line 1 of a set of elements without its line 2");
+    first_.reset();
+  }
+
+  FileIssues& issues_;
+  std::vector<ElementSet> sets_;
+  std::optional<Token> first_;
+  std::string_view name_;
+};
+
 std::vector<ElementSet> sets_of(std::string_view text, FileIssues& issues) {
-  std::vector<ElementSet> sets;
-  std::optional<Token> first;
-  std::string_view name;
-  const auto alone = [&] {
-    if (first) issues.add(*first, "line 1 of a set of elements without its line 2");
-    first.reset();
-  };
+  SetCollector collector{issues};
   for (int number = 1; !text.empty(); ++number) {
     std::string_view line = take_line(text);
     while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
-    if (line.empty() || line[0] == '#') continue;
-    const Token token{line, line, number};
-    if (starts_as(token, '1')) {
-      alone();
-      first = token;
-    } else if (starts_as(token, '2')) {
-      if (first) {
-        sets.push_back({name, *first, token});
-      } else {
-        issues.add(token, "line 2 of a set of elements without its line 1");
-      }
-      first.reset();
-      name = {};
-    } else {
-      alone();
-      name = satellite_name(line);
-    }
+    if (!line.empty() && line[0] != '#') collector.take({line, line, number});
   }
-  alone();
-  return sets;
+  return collector.sets();
 }
 
 bool is_satellite(const ElementSet& set, const std::string& satellite) {

@@ -11,10 +11,10 @@
 namespace nadir::sim {
 namespace {
 
-constexpr double first_centre = 0.5;  // of the first pixel, in image coordinates
-constexpr double slack = 1e-6;        // of coordinates, pixels: their rounding in the file
+constexpr double first_view_px = 0.5;   // of the first pixel, in image coordinates
+constexpr double view_slack_px = 1e-6;  // of coordinates, pixels: their rounding in the file
 
-InputError at_line(const std::string& name, int line, const std::string& message) {
+InputError view_mistake(const std::string& name, int line, const std::string& message) {
   return InputError{InputIssue{{name, line, 0}, message, {}, {}}};
 }
 
@@ -24,21 +24,21 @@ using Nodes = std::map<double, int>;
 /// The spacing of nodes that begin at the first pixel's centre and are evenly spaced.
 double step_of(const Nodes& nodes, const std::string& axis, const std::string& name) {
   const auto [first, first_line] = *nodes.begin();
-  if (std::abs(first - first_centre) > slack) {
-    throw at_line(name, first_line,
-                  "the first " + axis + " is " + nadir::number_text(first) +
-                      ", expected 0.5, the centre of the first pixel");
+  if (std::abs(first - first_view_px) > view_slack_px) {
+    throw view_mistake(name, first_line,
+                       "the first " + axis + " is " + nadir::number_text(first) +
+                           ", expected 0.5, the centre of the first pixel");
   }
   if (nodes.size() == 1) return 1.0;
   const double step = (nodes.rbegin()->first - first) / static_cast<double>(nodes.size() - 1);
   double expected = first;
   for (const auto& [place, line] : nodes) {
-    if (std::abs(place - expected) > slack * static_cast<double>(nodes.size())) {
-      throw at_line(name, line,
-                    axis + " " + nadir::number_text(place) +
-                        " is not on an even grid: " + std::to_string(nodes.size()) +
-                        " from 0.5 to " + nadir::number_text(nodes.rbegin()->first) +
-                        " have one at " + nadir::number_text(expected));
+    if (std::abs(place - expected) > view_slack_px * static_cast<double>(nodes.size())) {
+      throw view_mistake(name, line,
+                         axis + " " + nadir::number_text(place) +
+                             " is not on an even grid: " + std::to_string(nodes.size()) +
+                             " from 0.5 to " + nadir::number_text(nodes.rbegin()->first) +
+                             " have one at " + nadir::number_text(expected));
     }
     expected += step;
   }
@@ -55,7 +55,7 @@ Vec3 sight(const NumberTable& table, const NumberTable::Row& row, const std::str
                  std::tan(table.value(row, "along_deg", 0.0) * radians_per_degree), 1.0};
   constexpr double least_length = 1e-6;  // less is a missing value, not a direction
   if (!(length(towards) > least_length)) {
-    throw at_line(name, row.line, "the direction x, y, z has no length");
+    throw view_mistake(name, row.line, "the direction x, y, z has no length");
   }
   return normalised(towards);
 }
@@ -67,22 +67,22 @@ void check_columns(const NumberTable& table, const std::string& name) {
   const bool any_angle = table.has("across_deg") || table.has("along_deg");
   const bool one_kind = (has_vector && !any_angle) || (has_angles && !any_vector);
   if (one_kind) return;
-  throw at_line(name, 0,
-                "lines of sight are given by the columns x, y and z, or by across_deg and "
-                "along_deg");
+  throw view_mistake(name, 0,
+                     "lines of sight are given by the columns x, y and z, or by across_deg and "
+                     "along_deg");
 }
 
 Nodes nodes_of(const NumberTable& table, const std::string& axis) {
   Nodes nodes;
   for (const NumberTable::Row& row : table.rows()) {
-    nodes.emplace(table.value(row, axis, first_centre), row.line);
+    nodes.emplace(table.value(row, axis, first_view_px), row.line);
   }
   return nodes;
 }
 
 /// Number of the node at a coordinate of an axis that `step_of` has passed.
 std::size_t node_at(double coordinate, double step) {
-  return static_cast<std::size_t>(std::lround((coordinate - first_centre) / step));
+  return static_cast<std::size_t>(std::lround((coordinate - first_view_px) / step));
 }
 
 /// Fills the grid from the rows, which may stand in any order.
@@ -91,12 +91,13 @@ void read_rows(const NumberTable& table, const std::string& name, sensor::ViewTa
   std::vector<int> told(samples * static_cast<std::size_t>(views.lines), 0);  // by which line
   views.directions.assign(told.size(), Vec3{});
   for (const NumberTable::Row& row : table.rows()) {
-    const std::size_t column = node_at(table.value(row, "sample", first_centre), views.sample_step);
-    const std::size_t rank = node_at(table.value(row, "line", first_centre), views.line_step);
+    const std::size_t column =
+        node_at(table.value(row, "sample", first_view_px), views.sample_step);
+    const std::size_t rank = node_at(table.value(row, "line", first_view_px), views.line_step);
     const std::size_t node = rank * samples + column;
     if (told[node] != 0) {
-      throw at_line(name, row.line,
-                    "this pixel is there already, in line " + std::to_string(told[node]));
+      throw view_mistake(name, row.line,
+                         "this pixel is there already, in line " + std::to_string(told[node]));
     }
     told[node] = row.line;
     views.directions[node] = sight(table, row, name);
@@ -105,12 +106,12 @@ void read_rows(const NumberTable& table, const std::string& name, sensor::ViewTa
   if (missing == told.end()) return;
   const auto node = static_cast<std::size_t>(missing - told.begin());
   const auto coordinate = [](std::size_t number, double step) {
-    return nadir::number_text(first_centre + static_cast<double>(number) * step);
+    return nadir::number_text(first_view_px + static_cast<double>(number) * step);
   };
-  throw at_line(name, 0,
-                "the grid lacks the pixel at sample " +
-                    coordinate(node % samples, views.sample_step) + ", line " +
-                    coordinate(node / samples, views.line_step));
+  throw view_mistake(name, 0,
+                     "the grid lacks the pixel at sample " +
+                         coordinate(node % samples, views.sample_step) + ", line " +
+                         coordinate(node / samples, views.line_step));
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ sensor::ViewTable parse_view_table(std::string_view text, const std::string& nam
                            {"along_deg", false, -most_deg, most_deg}}};
   check_columns(table, name);
   const Nodes samples = nodes_of(table, "sample"), lines = nodes_of(table, "line");
-  if (samples.size() < 2) throw at_line(name, 0, "a view table needs at least two samples");
+  if (samples.size() < 2) throw view_mistake(name, 0, "a view table needs at least two samples");
   sensor::ViewTable views;
   views.samples = static_cast<int>(samples.size());
   views.lines = static_cast<int>(lines.size());

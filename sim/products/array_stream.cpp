@@ -117,10 +117,10 @@ ArrayStream::Finished ArrayStream::finish() {
   finished.task = task_;
   if (envi_) envi_->finish(context_->wanted.envi ? finished.files : finished.temporary);
   if (exr_) exr_->finish(finished.files);
-  if (preview_) write_quick_look(finished);
-  finished.summary = summary_.finish();
+  finished.summary = summary_.finish();  // gives back its memory before the picture takes more
   envi_.reset();
   exr_.reset();
+  if (preview_) write_quick_look(finished);
   preview_.reset();
   return finished;
 }

@@ -9,25 +9,25 @@
 namespace nadir::sim {
 namespace {
 
-using Entry = std::pair<std::string, std::string>;
+using TimeEntry = std::pair<std::string, std::string>;
 
 std::string seconds_text(double seconds) { return fmt::format("{}", seconds); }
 
-std::vector<Entry> scan_times(const sensor::GlobalShutter& shutter) {
+std::vector<TimeEntry> scan_times(const sensor::GlobalShutter& shutter) {
   if (shutter.centre_s == 0.0) return {};
   return {{"exposure centre s", seconds_text(shutter.centre_s)}};
 }
-std::vector<Entry> line_by_line(double first_line_s, double period_s) {
+std::vector<TimeEntry> line_by_line(double first_line_s, double period_s) {
   return {{"first line time s", seconds_text(first_line_s)},
           {"line period s", seconds_text(period_s)}};
 }
-std::vector<Entry> scan_times(const sensor::RollingShutter& shutter) {
+std::vector<TimeEntry> scan_times(const sensor::RollingShutter& shutter) {
   return line_by_line(shutter.first_line_s, shutter.line_period_s);
 }
-std::vector<Entry> scan_times(const sensor::Pushbroom& scan) {
+std::vector<TimeEntry> scan_times(const sensor::Pushbroom& scan) {
   return line_by_line(scan.first_line_s, scan.line_period_s);
 }
-std::vector<Entry> scan_times(const sensor::Whiskbroom& scan) {
+std::vector<TimeEntry> scan_times(const sensor::Whiskbroom& scan) {
   return {{"first sample time s", seconds_text(scan.first_sample_s)},
           {"sample period s", seconds_text(scan.sample_period_s)},
           {"scan period s", seconds_text(scan.scan_period_s)},
@@ -70,7 +70,7 @@ const std::vector<float>& light_share(const BandImage& band, LightShare part,
   return room;
 }
 
-std::vector<Entry> line_times(const sensor::DetectorArray& array) {
+std::vector<TimeEntry> line_times(const sensor::DetectorArray& array) {
   auto entries = std::visit([](const auto& scan) { return scan_times(scan); }, array.timing.scan);
   if (array.timing.exposure_s > 0.0) {
     entries.emplace_back("exposure s", seconds_text(array.timing.exposure_s));

@@ -187,10 +187,10 @@ GeoTiff described(const GeoTask& task, const Georeference& georeference, const c
                            fmt::format("{:.2g}", georeference.rpc->largest_px));
   }
   if (!camera.platform_name.empty()) {
-    job.imagery.emplace_back("SATELLITEID", camera.platform_name);
+    job.items.emplace_back("SATELLITEID", camera.platform_name);
   }
-  job.imagery.emplace_back("ACQUISITIONDATETIME",
-                           in_imagery_form(task.geometry->time + Seconds{middle_s}));
+  job.items.emplace_back("ACQUISITIONDATETIME",
+                         in_imagery_form(task.geometry->time + Seconds{middle_s}));
   for (const BandFigures& band : band_figures(*task.array)) {
     job.bands.push_back({band.name,
                          radiance_unit,
@@ -198,8 +198,8 @@ GeoTiff described(const GeoTask& task, const Georeference& georeference, const c
                          0.0,
                          {{"wavelength", fmt::format("{}", band.centre_um)},
                           {"fwhm", fmt::format("{}", band.fwhm_um)},
-                          {"wavelength_units", "Micrometers"}},
-                         {{"CENTRAL_WAVELENGTH_UM", fmt::format("{}", band.centre_um)},
+                          {"wavelength_units", "Micrometers"},
+                          {"CENTRAL_WAVELENGTH_UM", fmt::format("{}", band.centre_um)},
                           {"FWHM_UM", fmt::format("{}", band.fwhm_um)}}});
   }
   return job;
@@ -208,10 +208,11 @@ GeoTiff described(const GeoTask& task, const Georeference& georeference, const c
 }  // namespace
 
 std::vector<BandFigures> band_figures(const sensor::DetectorArray& array) {
+  const auto figure = [](double um) { return std::round(um * 1e9) / 1e9; };  // 0.65, not 0.6499...
   std::vector<BandFigures> figures;
   for (const sensor::Band& band : array.bands) {
-    figures.push_back(
-        {band.name, spectral::centre(band.response).value, spectral::fwhm(band.response).value});
+    figures.push_back({band.name, figure(spectral::centre(band.response).value),
+                       figure(spectral::fwhm(band.response).value)});
   }
   return figures;
 }

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 // The file's dimensions, by number.
 enum Dimension { band_dimension = 0, line_dimension = 1, sample_dimension = 2 };
 
-constexpr const char* auxiliary = "latitude longitude height";
+// One more than the cube has dimensions: GDAL would take as many for the axes themselves.
+constexpr const char* auxiliary = "time latitude longitude height wavelength band_name";
 using Type = NetCdfVariable::Type;
 
 /// The places of pixels: those of the truth, or computed for the time of the writing.

@@ -9,8 +9,8 @@
 namespace nadir::sim {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr Vec3 nowhere{nothing, nothing, nothing};
+constexpr double no_length = std::numeric_limits<double>::quiet_NaN();
+constexpr Vec3 nowhere{no_length, no_length, no_length};
 
 /// The ellipsoid of WGS84 (NIMA TR8350.2), both axes longer by the ground's height: within
 /// f^2 h / 2, 6e-6 of the height, of the surface of constant height.

@@ -13,29 +13,29 @@ namespace {
 
 using SheetJson = nlohmann::ordered_json;
 
-std::string figure(double value, int digits) {
+std::string figure_text(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
 }
-std::string figure(const std::optional<double>& value, int digits) {
-  return value ? figure(*value, digits) : "-";
+std::string figure_text(const std::optional<double>& value, int digits) {
+  return value ? figure_text(*value, digits) : "-";
 }
 
-std::vector<std::string> row_of(const BandSheet& band) {
+std::vector<std::string> sheet_row(const BandSheet& band) {
   const sensor::BandFigures& f = band.figures;
   return {f.array,
           f.band,
-          figure(f.centre_um, 5),
-          figure(f.fwhm_um, 4),
-          figure(f.gsd_x_m, 4),
-          figure(f.gsd_y_m, 4),
-          figure(f.swath_m / 1000.0, 4),
-          figure(f.reference_radiance, 4),
-          figure(f.snr, 4),
-          figure(f.nedl, 3),
-          figure(f.nedt_k, 3),
-          figure(f.saturation, 4),
-          figure(f.mtf_nyquist_x, 3),
-          figure(f.mtf_nyquist_y, 3)};
+          figure_text(f.centre_um, 5),
+          figure_text(f.fwhm_um, 4),
+          figure_text(f.gsd_x_m, 4),
+          figure_text(f.gsd_y_m, 4),
+          figure_text(f.swath_m / 1000.0, 4),
+          figure_text(f.reference_radiance, 4),
+          figure_text(f.snr, 4),
+          figure_text(f.nedl, 3),
+          figure_text(f.nedt_k, 3),
+          figure_text(f.saturation, 4),
+          figure_text(f.mtf_nyquist_x, 3),
+          figure_text(f.mtf_nyquist_y, 3)};
 }
 
 SheetJson number_or_null(double value) {
@@ -76,7 +76,7 @@ SheetJson band_json(const BandSheet& band) {
   return json;
 }
 
-const char* colour(std::size_t i) {
+const char* sheet_colour(std::size_t i) {
   constexpr std::array<const char*, 8> colours = {"#c0392b", "#2980b9", "#27ae60", "#8e44ad",
                                                   "#e67e22", "#16a085", "#7f8c8d", "#000000"};
   return colours[i % colours.size()];
@@ -102,11 +102,11 @@ PlotPanel mtf_panel(const SensorSheet& sheet, const BandSheet& detailed, const c
   PlotPanel panel{label, {}};
   for (std::size_t i = 0; i < sheet.bands.size(); ++i) {
     const BandSheet& band = sheet.bands[i];
-    panel.series.push_back({full_name(band), colour(i), (band.*direction).total, false});
+    panel.series.push_back({full_name(band), sheet_colour(i), (band.*direction).total, false});
   }
   const auto& terms = (detailed.*direction).terms;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    panel.series.push_back({terms[i].name, colour(i + 4), terms[i].values, true});
+    panel.series.push_back({terms[i].name, sheet_colour(i + 4), terms[i].values, true});
   }
   return panel;
 }
@@ -120,7 +120,7 @@ std::string sheet_text(const SensorSheet& sheet) {
       {"", "", "um", "um", "m", "m", "km", "W/", "at", "W/", "at", "W/", "at Ny-", "at Ny-"},
       {"", "", "", "", "", "", "", "m2 sr um", "L ref", "m2 sr um", "300 K, K", "m2 sr um", "quist",
        "quist"}};
-  for (const BandSheet& band : sheet.bands) rows.push_back(row_of(band));
+  for (const BandSheet& band : sheet.bands) rows.push_back(sheet_row(band));
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
@@ -129,8 +129,8 @@ std::string sheet_text(const SensorSheet& sheet) {
   const std::string& name = sheet.title.empty() ? sheet.instrument : sheet.title;
   if (!name.empty()) text += name + "\n";
   if (!sheet.source.empty()) text += sheet.source + "\n";
-  text += fmt::format("{} m over the ground, which passes at {} m/s\n", figure(sheet.height_m, 7),
-                      figure(sheet.ground_speed_m_s, 5));
+  text += fmt::format("{} m over the ground, which passes at {} m/s\n",
+                      figure_text(sheet.height_m, 7), figure_text(sheet.ground_speed_m_s, 5));
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {

@@ -30,7 +30,7 @@ struct ProductContext {
 
 /// A file that was written.
 struct ProductFile {
-  std::string kind;   ///< "radiance", "standard error", "truth", "material", "exr", "quick look"
+  std::string kind;   ///< "radiance", "standard error", "truth", "exr", "quick look", ...
   std::string array;  ///< name of the array
   std::filesystem::path path;
   std::uint64_t bytes = 0;

@@ -26,7 +26,7 @@ struct DetectorChannels {
 bool has_chain(const DetectorChannel& channel) { return channel.chain.has_value(); }
 
 template <class Number>
-std::span<Number> line_of(std::vector<Number>& plane, std::size_t line, std::size_t samples) {
+std::span<Number> plane_line(std::vector<Number>& plane, std::size_t line, std::size_t samples) {
   return plane.empty() ? std::span<Number>{} : std::span{plane}.subspan(line * samples, samples);
 }
 
@@ -40,14 +40,14 @@ void expose(DetectorChannel& channel, bool electrons, const ArrayImage& strip, B
   const auto samples = static_cast<std::size_t>(strip.samples);
   for (std::size_t line = 0; line < static_cast<std::size_t>(strip.lines); ++line) {
     channel.chain->expose(std::span{std::as_const(band.radiance)}.subspan(line * samples, samples),
-                          {.dn = line_of(band.dn, line, samples),
-                           .electrons = line_of(band.electrons, line, samples),
-                           .noise = line_of(band.noise, line, samples)});
+                          {.dn = plane_line(band.dn, line, samples),
+                           .electrons = plane_line(band.electrons, line, samples),
+                           .noise = plane_line(band.noise, line, samples)});
   }
 }
 
-DetectorChannels channels_of(const Camera& camera, std::size_t index, std::uint64_t seed,
-                             ErrorList& errors) {
+DetectorChannels detector_channels(const Camera& camera, std::size_t index, std::uint64_t seed,
+                                   ErrorList& errors) {
   const sensor::DetectorArray& array = camera.arrays[index];
   DetectorChannels channels{std::vector<DetectorChannel>(array.bands.size()), array.samples};
   if (index >= camera.electronics.size()) return channels;
@@ -78,7 +78,7 @@ DetectorStage::DetectorStage(const Camera& camera, const ProductsInput& wanted, 
   state_->electrons = wanted.electrons;
   ErrorList errors;
   for (std::size_t i = 0; i < camera.arrays.size(); ++i) {
-    state_->arrays.push_back(channels_of(camera, i, seed, errors));
+    state_->arrays.push_back(detector_channels(camera, i, seed, errors));
   }
   errors.throw_if_any();
 }

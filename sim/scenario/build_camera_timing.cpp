@@ -7,8 +7,8 @@
 namespace nadir::sim {
 namespace {
 
-constexpr double seconds_per_ms = 1e-3;
-constexpr double seconds_per_us = 1e-6;
+constexpr double timing_s_per_ms = 1e-3;
+constexpr double timing_s_per_us = 1e-6;
 
 /// One detector cannot expose two lines at once.
 void check_exposure(const BuildContext& context, const CheckedElement& element,
@@ -86,13 +86,13 @@ void check_modules(const BuildContext& context, const CheckedElement& array,
 struct LinePeriod {
   double operator()(const GlobalShutterInput& /*t*/) const { return 0.0; }
   double operator()(const RollingShutterInput& t) const {
-    return t.line_period_ms * seconds_per_ms;
+    return t.line_period_ms * timing_s_per_ms;
   }
-  double operator()(const PushbroomInput& t) const { return t.line_period_ms * seconds_per_ms; }
+  double operator()(const PushbroomInput& t) const { return t.line_period_ms * timing_s_per_ms; }
   double operator()(const WhiskbroomInput& t) const {
-    return t.scan_period_ms * seconds_per_ms / t.lines_per_scan;
+    return t.scan_period_ms * timing_s_per_ms / t.lines_per_scan;
   }
-  double operator()(const BolometerInput& t) const { return t.line_period_us * seconds_per_us; }
+  double operator()(const BolometerInput& t) const { return t.line_period_us * timing_s_per_us; }
 };
 
 }  // namespace
@@ -101,15 +101,15 @@ double line_period_s(const TimingInput& timing) { return std::visit(LinePeriod{}
 
 double first_exposure_s(const TimingInput& timing, int samples, int lines) {
   if (const auto* shutter = std::get_if<GlobalShutterInput>(&timing)) {
-    return shutter->delay_ms * seconds_per_ms;
+    return shutter->delay_ms * timing_s_per_ms;
   }
   TimingInput copy = timing;
   const std::optional<double>* start = start_of(copy);
   if (start != nullptr && *start) return **start;
   if (const auto* scan = std::get_if<WhiskbroomInput>(&timing)) {
     const int sweeps = (lines + scan->lines_per_scan - 1) / scan->lines_per_scan;
-    return -0.5 * ((sweeps - 1) * scan->scan_period_ms * seconds_per_ms +
-                   (samples - 1) * scan->sample_period_us * seconds_per_us);
+    return -0.5 * ((sweeps - 1) * scan->scan_period_ms * timing_s_per_ms +
+                   (samples - 1) * scan->sample_period_us * timing_s_per_us);
   }
   return -0.5 * (lines - 1) * line_period_s(timing);
 }

@@ -103,7 +103,7 @@ ElementType preset() {
       .doc = "A camera from a sensor file, whole or a part of it.",
       .attributes = {
           required("file", PathType{{".xml"}, true}, "",
-                   "A file whose root is <sensor>, beside the scenario or else in Nadir's data."),
+                   "A sensor file, beside the scenario or else in Nadir's data; docs/formats.md."),
           optional("arrays", NamesType{100}, "", "all of them", "Those of its arrays to take."),
           optional("samples", pixels(), "", "all of them",
                    "Columns of the first of them; others are cut to the same part."),

@@ -9,7 +9,7 @@ NumberType unit_component() { return from_to(-1.001, 1.001); }
 AttributeType reference_type() { return EnumerationType{{"scene", "earth", "local", "orbit"}}; }
 constexpr const char* reference_doc =
     "Axes that it is given in: scene (east, north, up at the site), earth (ECEF), local (east, "
-    "north, up at the platform), orbit (those of <nadir/>).";
+    "north, up at the platform), orbit (those of nadir).";
 
 std::vector<Attribute> turns_on_track() {
   return {defaulted("yaw_deg", full_turn(), "deg", "0", "First, about z: right-handed."),
@@ -73,7 +73,7 @@ std::vector<ElementType> moving_attitudes() {
        .attributes = {required(
                           "file", PathType{{".csv"}}, "",
                           "Times as time_s or time_utc, and w, x, y, z; or yaw_deg, pitch_deg, "
-                          "roll_deg (as in <euler>; with reference orbit as in <nadir>)."),
+                          "roll_deg (as in euler; with reference orbit as in nadir)."),
                       required("reference", reference_type(), "", reference_doc),
                       optional("max_gap_s", above_to(0.0, 1e9), "s", "any",
                                "The longest time between two rows while the camera looks.")}},

@@ -35,7 +35,7 @@ ElementType mount_type() {
           .doc =
               "What turns the camera, or a further mount inside this one, against its carrier. "
               "At rest its axes are the carrier's after three right-handed turns about its own "
-              "axes: Rz(yaw) Rx(pitch) Ry(roll). It stays so, or moves by <scan> or <stare>.",
+              "axes: Rz(yaw) Rx(pitch) Ry(roll). It stays so, or scans or stares.",
           .attributes = {offset("x_m"), offset("y_m"), offset("z_m"),
                          defaulted("yaw_deg", full_turn(), "deg", "0",
                                    "First, about z: the image turns clockwise."),

@@ -2,7 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <span>
+#include <variant>
 #include <vector>
 
 #include "core/statistics.hpp"
@@ -31,6 +32,25 @@ inline DetectorArray frame(int size, double exposure_s, const spectral::Response
 inline spectral::Response constant_efficiency(double lo_um, double hi_um) {
   return spectral::TabulatedResponse{
       spectral::Curve{{lo_um, hi_um}, {lo_um / hi_um, 1.0}, spectral::Outside::zero}};
+}
+
+constexpr double exposure_s = 0.002;
+inline const spectral::Response red = spectral::BoxResponse{Micrometres{0.63}, Micrometres{0.69}};
+
+/// Photo-electrons with no noise but their own.
+inline Detector clean(double full_well_e = 1e5) {
+  PhotonDetector element;
+  element.efficiency = 0.5;
+  element.area_m2 = 1e-10;
+  element.full_well_e = full_well_e;
+  Detector detector;
+  detector.optics.f_number = 4.0;
+  detector.element = element;
+  detector.digitiser.bits = 16;
+  return detector;
+}
+inline PhotonDetector& photons(Detector& detector) {
+  return std::get<PhotonDetector>(detector.element);
 }
 
 struct Image {

@@ -107,6 +107,18 @@ TEST_CASE("every state of the verification set is met", "[sensor][sgp4]") {
   }
 }
 
+// The set has no orbit between 1.2 and 3 degrees, where sun and moon leave the node's mean drift
+// alone. Value: python-sgp4 2.15 (Debian), WGS-72, "improved" mode.
+TEST_CASE("near the equator's plane the node does not drift by sun and moon", "[sensor][sgp4]") {
+  TwoLineElements set = case_of(24208).elements;
+  set.inclination_deg = 2.0;
+  const StateVector found = Sgp4{set}.teme_km(14400.0);
+  CHECK(length(found.position - Vec3{-12806.284031576744, 39989.66574967734, 709.1784774985555}) <
+        1e-6);
+  CHECK(length(found.velocity -
+               Vec3{-2.935503246923781, -0.9334424719118943, 0.09638296952527259}) < 1e-9);
+}
+
 // The messages that the source's own program has for these orbits: codes 3, 1, 6 and 4.
 TEST_CASE("where there is no state SGP4 says why", "[sensor][sgp4]") {
   for (const Case& one : cases()) {
@@ -150,9 +162,9 @@ TEST_CASE("the epoch is a moment of UTC", "[sensor][sgp4]") {
   CHECK(Sgp4{set}.epoch().to_string() == "2016-01-01T00:00:00Z");
 }
 
-// By differences over a second: their own error is below 1e-9 of the velocity. The velocity of
-// SGP4 is not the exact derivative of its position: it leaves out how the mean elements drift and
-// the long-period terms' change. Measured: 2.3e-3 km/s in deep space, 5e-4 near the earth.
+// SGP4's velocity is not the exact derivative of its position: it leaves out how the mean elements
+// drift and the long-period terms change. Measured: 1.2e-3 km/s for 5, 5.5e-4 or less for the
+// others. The differences' own error over a second is below 1e-6.
 TEST_CASE("velocity is nearly the position's change", "[sensor][sgp4]") {
   for (const int number : {5, 6251, 28057, 9880, 24208, 8195}) {
     CAPTURE(number);
@@ -162,7 +174,7 @@ TEST_CASE("velocity is nearly the position's change", "[sensor][sgp4]") {
       const Vec3 change =
           (orbit.teme_km(minutes + h).position - orbit.teme_km(minutes - h).position) /
           (2.0 * 60.0 * h);
-      CHECK(length(change - orbit.teme_km(minutes).velocity) < 5e-3);
+      CHECK(length(change - orbit.teme_km(minutes).velocity) < 2e-3);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "sensor/platform/track.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -121,9 +122,9 @@ TEST_CASE("fewer points than eight give the polynomial through all", "[sensor][t
   CHECK(length(track.at(1.3).velocity - law.slope(1.3)) < 1e-14);
 }
 
-// The remainder of the eight points: |f^(8)| / 8! times the product of the distances, at most
-// (105/256) ... h^8 x 43.07 in the middle: r (w h)^8 43.07 / 40320 = 1.0e-13 m at 10 s, so that
-// rounding (7083 km x 1e-16 x a few) is all that is left. At 60 s 8.6e-5 / 2 ... measured below.
+// The remainder of eight points is |f^(8)| / 8! times the product of the distances, in the middle
+// (0.5 x 1.5 x 2.5 x 3.5)^2 = 43.07 steps^8: r (w h)^8 43.07 / 40320, 1.2e-12 m at 10 s, and 30
+// times as much at the ends. What is left is rounding of coordinates of 7083 km, nanometres.
 TEST_CASE("an orbit at steps of 10 s is found to a hundredth of a micrometre", "[sensor][track]") {
   const LowOrbit orbit;
   std::vector<double> at;
@@ -137,6 +138,19 @@ TEST_CASE("an orbit at steps of 10 s is found to a hundredth of a micrometre", "
   CAPTURE(worst_m, worst_m_s);
   CHECK(worst_m < 2e-8);
   CHECK(worst_m_s < 2e-9);
+}
+
+// At 60 s it shows: 2.0e-6 m. The next order is 1e-3 of it, rounding 2e-9 m.
+TEST_CASE("the error of a coarse track is the remainder of its polynomial", "[sensor][track]") {
+  const LowOrbit orbit;
+  std::vector<double> at;
+  for (int i = 0; i <= 20; ++i) at.push_back(60.0 * i);
+  const Track track = sampled([&](double t) { return orbit.position(t); }, at);
+  const double expected_m =
+      orbit.radius_m * std::pow(orbit.rate_rad_s * 60.0, 8) * 43.0664 / 40320.0;
+  for (const double t : {390.0, 630.0, 750.0}) {
+    CHECK(length(track.position(t) - orbit.position(t)) == Approx(expected_m).epsilon(5e-3));
+  }
 }
 
 TEST_CASE("two points give straight pieces whose velocity jumps at the way points",

@@ -193,9 +193,9 @@ TEST_CASE("exposures fit into their periods", "[scenario][camera][mistakes]") {
   CHECK(mistake_lines(with_array(R"(<whiskbroom sample_period_us="300" scan_period_ms="20" )"
                                  R"(lines_per_scan="7" exposure_us="400"/>)" +
                                  band)) ==
-        "20:28: 40 lines are not a whole number of sweeps of 7\n"
+        "20:31: 40 lines are not a whole number of sweeps of 7\n"
         "21:36: a sweep of 100 samples takes 30 ms, longer than scan_period_ms, which is 20\n"
-        "21:76: exposure_us is 400, longer than sample_period_us, which is 300\n");
+        "21:75: exposure_us is 400, longer than sample_period_us, which is 300\n");
 }
 
 TEST_CASE("an array has one timing and one detector", "[scenario][camera][mistakes]") {
@@ -289,13 +289,13 @@ TEST_CASE("figures of noise go with published_noise", "[scenario][camera][mistak
         "<published_noise> one for all\n");
   CHECK(mistake_lines(with_array(
             R"(<band_box name="g" lo_um="0.5" hi_um="0.6" snr="100" efficiency="0.5"/>)")) ==
-        "21:45: snr of band \"g\" needs <published_noise> in its array\n"
-        "21:45: snr of band \"g\" needs its reference_radiance\n"
-        "21:55: efficiency of band \"g\" needs <photon_detector> in its array\n");
+        "21:44: snr of band \"g\" needs its reference_radiance\n"
+        "21:44: snr of band \"g\" needs <published_noise> in its array\n"
+        "21:54: efficiency of band \"g\" needs <photon_detector> in its array\n");
   CHECK(mistake_lines(
             with_array(R"(<published_noise/><band_box name="g" lo_um="0.5" hi_um="0.6" snr="100" )"
                        R"(reference_radiance="40" saturation_radiance="30"/>)")) ==
-        "21:86: band \"g\" saturates at 30, not above its reference_radiance 40\n");
+        "21:96: band \"g\" saturates at 30, not above its reference_radiance 40\n");
   CHECK(mistake_lines(with_array(
             R"(<published_noise black_level_dn="300" bits="8" saturation_radiance="30"/>
 <band_box name="g" lo_um="8" hi_um="9" nedt_k="1"/>)")) ==

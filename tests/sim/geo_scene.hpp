@@ -33,10 +33,14 @@ struct GeoScene {
 
   explicit GeoScene(Camera made)
       : camera{std::move(made)},
-        geometry{&camera, geometry::LocalFrame{site()},
-                 ephemeris::Instant::parse_utc("2024-06-21T10:12:13.25Z"), {}, {}, 120.0} {
-    geometry.bodies = {{"sun", normalised(Vec3{0.3, -0.5, 0.8}), Angle{0.0047},
-                        spectral::Curve::constant(1.0)}};
+        geometry{&camera,
+                 geometry::LocalFrame{site()},
+                 ephemeris::Instant::parse_utc("2024-06-21T10:12:13.25Z"),
+                 {},
+                 {},
+                 120.0} {
+    geometry.bodies = {
+        {"sun", normalised(Vec3{0.3, -0.5, 0.8}), Angle{0.0047}, spectral::Curve::constant(1.0)}};
     context.scenario_name = "made";
     context.version = "0";
     context.diagnostics = &diagnostics;
@@ -54,7 +58,7 @@ struct GeoScene {
 inline sensor::DetectorArray perspective(int samples, int lines, double pitch_m,
                                          double focal_length_m) {
   sensor::DetectorArray array{"frame", samples, lines, sensor::Perspective{focal_length_m},
-                              pitch_m, 0.0, 0.0, {{"green", green()}}};
+                              pitch_m, 0.0,     0.0,   {{"green", green()}}};
   return array;
 }
 
@@ -62,8 +66,8 @@ inline sensor::DetectorArray perspective(int samples, int lines, double pitch_m,
 inline std::unique_ptr<GeoScene> drone() {
   const geometry::LocalFrame frame{site()};
   Camera camera;
-  camera.platform = sensor::Platform{sensor::from_euler({15.0, -8.0, 120.0}, Mat3{}, degrees(30.0),
-                                                        degrees(-75.0), degrees(4.0))};
+  camera.platform = sensor::Platform{
+      sensor::from_euler({15.0, -8.0, 120.0}, Mat3{}, degrees(30.0), degrees(-75.0), degrees(4.0))};
   sensor::DetectorArray array = perspective(1280, 960, 3.75e-6, 5.4e-3);
   array.projection = sensor::Perspective{5.4e-3, {-0.1, 0.08, 5e-4, -3e-4, -0.02}};
   array.offset_x_m = 40e-6;
@@ -82,9 +86,7 @@ inline std::unique_ptr<GeoScene> satellite(int samples = 600, int lines = 500) {
   over.height_m = 705e3;
   over.inclination_deg = 98.2;
   const sensor::KeplerElements orbit = sensor::circular_orbit(over, time);
-  const auto law = [&](double s) {
-    return sensor::orbit_state(orbit, time + Seconds{s}).position;
-  };
+  const auto law = [&](double s) { return sensor::orbit_state(orbit, time + Seconds{s}).position; };
   const double period_s = 2.2e-3;
   sensor::PlatformDescription way;
   way.track = sensor::tabulated(law, frame, -1.0, 1.0);
@@ -107,8 +109,8 @@ inline std::unique_ptr<GeoScene> orthographic(double pixel_m, double yaw_deg) {
   Camera camera;
   camera.platform = sensor::Platform{sensor::from_euler(
       {30.0, 40.0, 500.0}, Mat3{}, degrees(yaw_deg), degrees(-90.0), degrees(0.0))};
-  sensor::DetectorArray array{"map", 200, 150, sensor::Orthographic{}, pixel_m, 0.0, 0.0,
-                              {{"green", green()}}};
+  sensor::DetectorArray array{"map",   200, 150, sensor::Orthographic{},
+                              pixel_m, 0.0, 0.0, {{"green", green()}}};
   camera.arrays = {array};
   return std::make_unique<GeoScene>(std::move(camera));
 }

@@ -175,6 +175,40 @@ TEST_CASE("two-line elements give the place that SGP4 gives", "[sim][platform]")
   CHECK(loading.message({0.0, 2.0}).find("v.tle") != std::string::npos);
 }
 
+TEST_CASE("an orbit ephemeris gives the place between its states", "[sim][platform]") {
+  PlatformLoading loading;
+  // UT1 - UTC counts where the message's axes do not turn with the earth: 0.2 s are 100 m.
+  const ephemeris::Instant time =
+      ephemeris::Instant::parse_utc("2026-06-21T16:00:00Z", Seconds{0.2});
+  loading.scenario().time = time;
+  const auto elements = sensor::circular_orbit({36.0, -84.0, 705e3, 98.2, false}, time);
+  std::string text =
+      "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = 2026-06-21T00:00:00\nORIGINATOR = TEST\n"
+      "META_START\nOBJECT_NAME = S\nOBJECT_ID = 2026-001A\nCENTER_NAME = EARTH\n"
+      "REF_FRAME = TEME\nTIME_SYSTEM = UTC\nSTART_TIME = 2026-06-21T15:55:00\n"
+      "STOP_TIME = 2026-06-21T16:05:00\nMETA_STOP\n";
+  for (int i = -10; i <= 10; ++i) {  // every 30 s
+    const ephemeris::Instant moment = time + Seconds{30.0 * i};
+    const auto state = sensor::teme_from_ecef(sensor::orbit_state(elements, moment), moment);
+    std::string utc = moment.to_string();
+    utc.pop_back();  // the Z
+    text += utc;
+    for (const Vec3& v : {state.position, state.velocity}) {
+      for (const double x : {v.x, v.y, v.z}) text += " " + std::to_string(1e-3 * x);  // a mm
+    }
+    text += "\n";
+  }
+  loading.platform().position = EphemerisInput{loading.text("s.oem", text)};
+  loading.platform().attitude = sensor::TrackAttitude{};
+  const sensor::Platform platform = loading.load({-10.0, 10.0});
+  const auto state = sensor::orbit_state(elements, time + Seconds{7.0});
+  // Places of a millimetre; the polynomial through eight of them, 30 s apart, keeps that.
+  CHECK(length(platform.at(7.0).position - loading.frame().enu_from_ecef(state.position)) < 3e-3);
+  CHECK(loading.message({0.0, 301.0}) ==
+        "a.xml:15:15: error: time outside the trajectory: the camera looks from 0 s to 301 s after "
+        "the scenario's time, but s.oem covers -300 s to 300 s\n");
+}
+
 TEST_CASE("nested mounts turn by their own axes, one after the other", "[sim][platform]") {
   PlatformLoading loading;
   loading.platform().attitude = EulerInput{0.0, -90.0, 0.0};

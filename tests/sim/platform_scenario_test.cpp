@@ -173,13 +173,14 @@ TEST_CASE("mounts nest from the platform outwards", "[scenario][platform]") {
 }
 
 TEST_CASE("a platform whose position or attitude is not one is told", "[scenario][platform]") {
-  CHECK(mistake_lines(flying("<circel radius_m=\"1\"/>")) ==
+  CHECK(mistake_lines(flying("<circel radius_m=\"1\" speed_m_s=\"2\" azimuth_deg=\"0\"><local "
+                             "east_m=\"0\" north_m=\"0\" up_m=\"9\"/></circel>")) ==
         "15:15: <position> may not hold <circel> (did you mean \"circle\"?)\n");
   CHECK(mistake_lines(flying("")) ==
         "15:5: <position> needs <geodetic> or <local> or <straight> or <circle> or <waypoints> or "
         "<circular_orbit> or <kepler_orbit> or <tle> or <oem>\n");
   CHECK(mistake_lines(flying(std::string{still} + orbit)) ==
-        "15:62: <position> holds only one <geodetic> or <local> or <straight> or <circle> or "
+        "15:58: <position> holds only one <geodetic> or <local> or <straight> or <circle> or "
         "<waypoints> or <circular_orbit> or <kepler_orbit> or <tle> or <oem>; <local> stands in "
         "line 15 already\n");
   CHECK(mistake_lines(flying(still, "")) ==
@@ -210,30 +211,30 @@ TEST_CASE("what a platform means is checked", "[scenario][platform]") {
             flying("<kepler_orbit epoch=\"2026-06-21T00:00:00Z\" semi_major_axis_km=\"7000\" "
                    "eccentricity=\"0.1\" inclination_deg=\"98\" ascending_node_deg=\"10\" "
                    "argument_of_perigee_deg=\"20\" mean_anomaly_deg=\"30\"/>")) ==
-        "15:81: the orbit's perigee lies 78 km below the ground\n");
+        "15:84: the orbit's perigee lies 78 km below the ground\n");
   CHECK(mistake_lines(flying(still, aimed, "<jitter seed=\"2\"/>")) ==
-        "16:63: <jitter> shakes nothing (give white_x_urad, white_y_urad, white_z_urad or "
+        "16:62: <jitter> shakes nothing (give white_x_urad, white_y_urad, white_z_urad or "
         "spectrum)\n");
   CHECK(mistake_lines(flying(still, aimed, "<mounts/>")) ==
-        "16:63: <mounts> lacks <mount> (What turns the camera, or a further mount inside this one, "
+        "16:62: <mounts> lacks <mount> (What turns the camera, or a further mount inside this one, "
         "against its carrier. At rest its axes are the carrier's after three right-handed turns "
-        "about its own axes: Rz(yaw) Rx(pitch) Ry(roll). It stays so, or moves by <scan> or "
-        "<stare>.)\n");
+        "about its own axes: Rz(yaw) Rx(pitch) Ry(roll). It stays so, or scans or "
+        "stares.)\n");
   const std::string scan = "<scan axis=\"x\" first_deg=\"0\" last_deg=\"1\" sweep_s=\"2\"";
   CHECK(mistake_lines(flying(still, aimed,
                              "<mounts><mount>" + scan +
                                  "/><stare><local east_m=\"5\" "
                                  "north_m=\"6\" up_m=\"0\"/></stare></mount></mounts>")) ==
-        "16:135: a <mount> holds <scan> or <stare>, not both (put one mount inside the other)\n");
+        "16:132: a <mount> holds <scan> or <stare>, not both (put one mount inside the other)\n");
   CHECK(mistake_lines(flying(still, aimed,
                              "<mounts><mount>" + scan + " period_s=\"1\"/></mount></mounts>")) ==
-        "16:133: period_s is 1, shorter than sweep_s, 2\n");
+        "16:131: period_s is 1, shorter than sweep_s, 2\n");
   CHECK(mistake_lines(
             flying(still, aimed,
                    "<mounts><mount>" + replaced(scan, "\"1\"", "\"0\"") + "/></mount></mounts>")) ==
-        "16:105: <scan> begins and ends at the same angle\n");
+        "16:106: <scan> begins and ends at the same angle\n");
   CHECK(mistake_lines(
             flying("<circle radius_m=\"3\" speed_m_s=\"2\" azimuth_deg=\"0\"><local "
                    "east_m=\"0\" north_m=\"0\" up_m=\"9\" on_terrain=\"true\"/></circle>")) ==
-        "15:109: <local> of <circle> counts from the terrain, but <geometry> has no <terrain>\n");
+        "15:105: <local> of <circle> counts from the terrain, but <geometry> has no <terrain>\n");
 }

@@ -65,9 +65,9 @@ TEST_CASE("every mistake of a point spread table has its place", "[files][point_
         "psf.csv:9:1: error: no weights follow\n"
         "    9 | wavelength_um,0.7\n"
         "      | ^\n");
-  CHECK(told_of("# nadir-point-spread: 1\n# pitch: 2\nwavelength_um,550\n1\n") ==
-        "psf.csv:2:3: error: unknown key \"pitch\"\n"
-        "    2 | # pitch: 2\n"
+  CHECK(told_of("# nadir-point-spread: 1\n# pitch_m: 2\nwavelength_um,550\n1\n") ==
+        "psf.csv:2:3: error: unknown key \"pitch_m\"\n"
+        "    2 | # pitch_m: 2\n"
         "      |   ^\n"
         "    hint: did you mean \"pitch_um\"?\n"
         "psf.csv:3:15: error: expected a wavelength from 0.1 to 100 um, found \"550\"\n"

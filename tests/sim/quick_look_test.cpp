@@ -331,3 +331,21 @@ TEST_CASE("a decimated quick look tells so, with counts and extremes of all pixe
   CHECK(description.find("1 invalid pixels") != std::string::npos);
   CHECK(description.find(centre_um > 3.0 ? "max 500.0 K" : "to 5000 W") != std::string::npos);
 }
+
+TEST_CASE("a decimated preview does not depend on how the lines are cut", "[sim][quick_look]") {
+  const ArrayImage image = synthetic_array(7, 11, {0.6, 0.9});  // grey: two bands to choose from
+  Preview whole{image, {}, 28}, strips{support::strip_of(image, 0, 3), {}, 28};
+  whole.take(image);
+  for (int line = 0; line < 11; line += 3) {
+    strips.take(support::strip_of(image, line, std::min(3, 11 - line)));
+  }
+  REQUIRE(whole.step() == 2);
+  for (std::size_t band = 0; band < 2; ++band) {
+    CHECK(whole.image().bands[band].radiance.size() == 24);
+    CHECK(strips.image().bands[band].radiance == whole.image().bands[band].radiance);
+    CHECK(whole.image().bands[band].standard_error.size() == 24);
+    CHECK(strips.image().bands[band].standard_error == whole.image().bands[band].standard_error);
+  }
+  const QuickLookOptions options{"t", "", "nadir", {}};
+  CHECK(quick_look(strips, options).picture.values == quick_look(whole, options).picture.values);
+}

@@ -172,7 +172,7 @@ TEST_CASE("platform, camera and products arrive in the plain data", "[scenario]"
   CHECK(look_at.on_terrain);
   CHECK(look_at.roll_deg == 5.0);
   CHECK_FALSE(s.camera.orthographic);
-  CHECK(s.camera.focal_length_mm == 50.0);
+  CHECK(s.camera.lens.focal_length_mm == 50.0);
   REQUIRE(s.camera.arrays.size() == 2);
   const ArrayInput& visible = s.camera.arrays[0];
   CHECK(visible.pitch_um == 5.5);

@@ -6,6 +6,7 @@
 
 #include "scenario_support.hpp"
 #include "sim/scenario/material_library.hpp"
+#include "sim/scenario/sensor_file.hpp"
 #include "sim/scenario/write_reference.hpp"
 #include "sim/scenario/write_xsd.hpp"
 #include "support/catch.hpp"
@@ -278,7 +279,7 @@ void check_changes(const std::string& text, const std::vector<Change>& changes, 
 }  // namespace
 
 TEST_CASE("the table names only elements that it has", "[scenario][schema]") {
-  std::set<std::string> ids, used = {scenario_root, library_root};
+  std::set<std::string> ids, used = {scenario_root, library_root, sensor_root};
   for (const ElementType& type : schema().types()) {
     CAPTURE(type.id);
     CHECK(ids.insert(type.id).second);
@@ -392,6 +393,8 @@ TEST_CASE("every shipped scenario and library is valid in both", "[scenario][sch
     Diagnostics diagnostics;
     if (is_material_library(file)) {
       CHECK_NOTHROW(read_material_library(file));
+    } else if (is_sensor_file(file)) {
+      CHECK_NOTHROW(read_sensor_file(file));
     } else {
       CHECK_NOTHROW(read_scenario(file, diagnostics));
     }

@@ -33,9 +33,9 @@ OGRSpatialReference reference_of(const char* coordinates) {
 }
 
 template <class Holder>
-void set_metadata(Holder& holder, const NadirTexts& texts, const char* domain) {
+void set_metadata(Holder& holder, const NadirTexts& texts) {
   for (int i = 0; i < texts.count; ++i) {
-    holder.SetMetadataItem(texts.items[i].key, texts.items[i].value, domain);
+    holder.SetMetadataItem(texts.items[i].key, texts.items[i].value);
   }
 }
 
@@ -59,8 +59,7 @@ void describe(GDALRasterBand& band, const NadirGeoTiffBand& wanted, bool nan_is_
     band.SetOffset(wanted.offset);
   }
   if (nan_is_no_data) band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-  set_metadata(band, wanted.items, nullptr);
-  set_metadata(band, wanted.imagery, "IMAGERY");
+  set_metadata(band, wanted.items);
 }
 
 void set_control(GDALDataset& dataset, const NadirGeoTiff& wanted) {
@@ -115,8 +114,7 @@ Dataset described(const NadirGeoTiff& wanted) {
     refer(band, wanted.source, i + 1);
     describe(band, wanted.bands[i], wanted.nan_is_no_data != 0);
   }
-  set_metadata(*made, wanted.items, nullptr);
-  set_metadata(*made, wanted.imagery, "IMAGERY");
+  set_metadata(*made, wanted.items);
   place(*made, wanted);
   return made;
 }

@@ -24,7 +24,6 @@ struct NadirGeoTiffBand {
   const char* unit;
   double scale, offset;  ///< value = scale stored + offset; 1 and 0: not written
   NadirTexts items;      ///< metadata
-  NadirTexts imagery;    ///< metadata in the domain IMAGERY
 };
 
 /// A cloud-optimised GeoTIFF made from another raster file, in bounded memory.
@@ -34,10 +33,9 @@ struct NadirGeoTiff {
   const char* coordinates;  ///< of the geotransform, in any form GDAL reads; null: none
   double geotransform[6];   ///< pixel corner to those coordinates, GDAL's order
   const NadirGroundControl* control;
-  int controls;      ///< excludes a geotransform
-  NadirTexts rpc;    ///< GDAL's names of rational polynomial coefficients, or none
-  NadirTexts items;  ///< metadata
-  NadirTexts imagery;
+  int controls;                   ///< excludes a geotransform
+  NadirTexts rpc;                 ///< GDAL's names of rational polynomial coefficients, or none
+  NadirTexts items;               ///< metadata
   const NadirGeoTiffBand* bands;  ///< as many as the source has
   int band_count;
   int nan_is_no_data;
