@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 #include "sim/files/atomic_file.hpp"
 #include "sim/products/ground_points.hpp"
@@ -35,7 +34,8 @@ const char* extension(const char* name) {
   return "";
 }
 
-double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+/// To so many parts of the unit; by division, which keeps decimals short.
+double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 /// Azimuth clockwise from north, in [0, 360), of a direction in local axes.
 double azimuth_deg(Vec3 local) {
@@ -103,14 +103,14 @@ Outline outline_of(const GeoTask& task) {
   Json coordinates = Json::array();
   Vec2 lo = places.front(), hi = lo;
   for (const Vec2& place : places) {
-    coordinates.push_back(Json::array({rounded(place.x, 1e-9), rounded(place.y, 1e-9)}));
+    coordinates.push_back(Json::array({rounded(place.x, 1e9), rounded(place.y, 1e9)}));
     lo = {std::min(lo.x, place.x), std::min(lo.y, place.y)};
     hi = {std::max(hi.x, place.x), std::max(hi.y, place.y)};
   }
   Json geometry{{"type", "Polygon"}};
   geometry["coordinates"] = Json::array({coordinates});
-  return {geometry, Json::array({rounded(lo.x, 1e-9), rounded(lo.y, 1e-9), rounded(hi.x, 1e-9),
-                                 rounded(hi.y, 1e-9)})};
+  return {geometry, Json::array({rounded(lo.x, 1e9), rounded(lo.y, 1e9), rounded(hi.x, 1e9),
+                                 rounded(hi.y, 1e9)})};
 }
 
 std::string moment(const GeoTask& task, double time_s) {
@@ -128,16 +128,16 @@ void add_times(Json& properties, const GeoTask& task) {
 
 void add_view(Json& properties, const GeoTask& task, const MiddleView& view) {
   properties["gsd"] = view.gsd_m;
-  properties["view:off_nadir"] = rounded(view.off_nadir_deg, 1e-6);
-  properties["view:incidence_angle"] = rounded(view.incidence_deg, 1e-6);
-  properties["view:azimuth"] = rounded(view.azimuth_deg, 1e-6);
+  properties["view:off_nadir"] = rounded(view.off_nadir_deg, 1e6);
+  properties["view:incidence_angle"] = rounded(view.incidence_deg, 1e6);
+  properties["view:azimuth"] = rounded(view.azimuth_deg, 1e6);
   const Mat3 at_ground = task.geometry->frame.axes_at(view.ground.geodetic).transposed();
   for (const ephemeris::LightSource& body : task.geometry->bodies) {
     if (body.name != "sun") continue;
     const Vec3 sun = at_ground * body.direction_enu;
-    properties["view:sun_azimuth"] = rounded(azimuth_deg(sun), 1e-6);
+    properties["view:sun_azimuth"] = rounded(azimuth_deg(sun), 1e6);
     properties["view:sun_elevation"] =
-        rounded(std::asin(std::clamp(sun.z, -1.0, 1.0)) * degrees_per_radian, 1e-6);
+        rounded(std::asin(std::clamp(sun.z, -1.0, 1.0)) * degrees_per_radian, 1e6);
   }
 }
 

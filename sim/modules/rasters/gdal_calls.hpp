@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cpl_error.h>
-
 #include <cstddef>
 #include <cstdio>
 #include <stdexcept>
@@ -12,19 +10,13 @@
 namespace nadir_rasters {
 
 /// GDAL's words for the last failure, after our own.
-[[noreturn]] inline void fail(const std::string& what) {
-  const std::string words = CPLGetLastErrorMsg();
-  throw std::runtime_error(words.empty() ? what : what + ": " + words);
-}
+[[noreturn]] void fail(const std::string& what);
 
 /// GDAL prints its errors unless told not to; here they travel as text.
 class QuietErrors {
  public:
-  QuietErrors() {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietErrors() { CPLPopErrorHandler(); }
+  QuietErrors();
+  ~QuietErrors();
   QuietErrors(const QuietErrors&) = delete;
   QuietErrors& operator=(const QuietErrors&) = delete;
 };
