@@ -39,7 +39,7 @@ Quaternion wide_slerp(const Quaternion& a, const Quaternion& b, double share) {
 
 }  // namespace
 
-Quaternion normalised(const Quaternion& q) noexcept {
+Quaternion unit(const Quaternion& q) noexcept {
   const double scale = 1.0 / std::sqrt(dot(q, q));
   return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
 }
@@ -77,18 +77,18 @@ Quaternion to_quaternion(const Mat3& m) noexcept {
   const double trace = m.x.x + m.y.y + m.z.z;
   const double largest = std::max({trace, m.x.x, m.y.y, m.z.z});
   const double yz = m.y.z - m.z.y, zx = m.z.x - m.x.z, xy = m.x.y - m.y.x;
-  if (largest == trace) return normalised({1.0 + trace, yz, zx, xy});
+  if (largest == trace) return unit({1.0 + trace, yz, zx, xy});
   if (largest == m.x.x) {
-    return normalised({yz, 1.0 + 2.0 * m.x.x - trace, m.y.x + m.x.y, m.z.x + m.x.z});
+    return unit({yz, 1.0 + 2.0 * m.x.x - trace, m.y.x + m.x.y, m.z.x + m.x.z});
   }
   if (largest == m.y.y) {
-    return normalised({zx, m.y.x + m.x.y, 1.0 + 2.0 * m.y.y - trace, m.z.y + m.y.z});
+    return unit({zx, m.y.x + m.x.y, 1.0 + 2.0 * m.y.y - trace, m.z.y + m.y.z});
   }
-  return normalised({xy, m.z.x + m.x.z, m.z.y + m.y.z, 1.0 + 2.0 * m.z.z - trace});
+  return unit({xy, m.z.x + m.x.z, m.z.y + m.y.z, 1.0 + 2.0 * m.z.z - trace});
 }
 
 Quaternion small_rotation(Vec3 angles_rad) noexcept {
-  return normalised({1.0, 0.5 * angles_rad.x, 0.5 * angles_rad.y, 0.5 * angles_rad.z});
+  return unit({1.0, 0.5 * angles_rad.x, 0.5 * angles_rad.y, 0.5 * angles_rad.z});
 }
 
 Quaternion slerp(const Quaternion& a, const Quaternion& b, double share) noexcept {

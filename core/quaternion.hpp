@@ -12,7 +12,7 @@ struct Quaternion {
 };
 
 /// @param q  not all zero
-[[nodiscard]] Quaternion normalised(const Quaternion& q) noexcept;
+[[nodiscard]] Quaternion unit(const Quaternion& q) noexcept;
 /// The rotation `b`, then `a`.
 [[nodiscard]] Quaternion operator*(const Quaternion& a, const Quaternion& b) noexcept;
 [[nodiscard]] Quaternion conjugate(const Quaternion& q) noexcept;

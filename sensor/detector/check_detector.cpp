@@ -15,7 +15,7 @@ struct Range {
 
 constexpr double no_limit = 1e300;
 constexpr Range at_least_zero{0.0, no_limit};
-constexpr Range above_zero{0.0, no_limit, false};
+constexpr Range positive{0.0, no_limit, false};
 constexpr Range from_0_to_1{0.0, 1.0};
 constexpr Range up_to_1{0.0, 1.0, false};
 constexpr Range below_1{0.0, 1.0, true, false};
@@ -35,7 +35,7 @@ void require_in_range(const char* what, double value, const Range& range) {
 }
 
 void check_optics(const Optics& optics) {
-  require_in_range("an f-number", optics.f_number, above_zero);
+  require_in_range("an f-number", optics.f_number, positive);
   require_in_range("an obscuration", optics.obscuration, below_1);
   require_in_range("a transmittance", optics.transmittance, up_to_1);
   require_in_range("a power of the fall-off", optics.falloff_power, at_least_zero);
@@ -53,18 +53,18 @@ void check_optics(const Optics& optics) {
 
 void check_element(const PhotonDetector& element) {
   require_in_range("an efficiency", element.efficiency, up_to_1);
-  require_in_range("a detector's area, m^2,", element.area_m2, above_zero);
+  require_in_range("a detector's area, m^2,", element.area_m2, positive);
   require_in_range("a dark current, electrons per s,", element.dark_e_s, at_least_zero);
-  require_in_range("a detector's temperature, K,", element.temperature_k, above_zero);
+  require_in_range("a detector's temperature, K,", element.temperature_k, positive);
   require_in_range("a reference temperature of the dark current, K,", element.dark_reference_k,
-                   above_zero);
-  require_in_range("a doubling of the dark current, K,", element.dark_doubling_k, above_zero);
+                   positive);
+  require_in_range("a doubling of the dark current, K,", element.dark_doubling_k, positive);
   require_in_range("a read noise, electrons,", element.read_noise_e, at_least_zero);
   require_in_range("a line noise, electrons,", element.line_noise_e, at_least_zero);
   require_in_range("a correlation from line to line", element.line_correlation, below_1);
   require_in_range("a photo-response non-uniformity", element.prnu, below_1);
   require_in_range("a dark-signal non-uniformity, electrons,", element.dsnu_e, at_least_zero);
-  require_in_range("a full well, electrons,", element.full_well_e, above_zero);
+  require_in_range("a full well, electrons,", element.full_well_e, positive);
 }
 
 void check_element(const PublishedNoise& element) {
@@ -85,9 +85,9 @@ void check(const Detector& detector) {
   if (std::holds_alternative<PhotonDetector>(detector.element)) {
     check_optics(detector.optics);
     if (digitiser.gain_dn_e)
-      require_in_range("a gain, DN per electron,", *digitiser.gain_dn_e, above_zero);
+      require_in_range("a gain, DN per electron,", *digitiser.gain_dn_e, positive);
   } else {
-    require_in_range("a saturation radiance", digitiser.saturation, above_zero);
+    require_in_range("a saturation radiance", digitiser.saturation, positive);
   }
   std::visit([](const auto& element) { check_element(element); }, detector.element);
 }

@@ -35,18 +35,23 @@ AnnularAperture::AnnularAperture(double obscuration) : e_{obscuration} {
     encircled_.push_back((clear_share(b) + e_ * e_ * clear_share(e_ * b) - 4.0 * e_ * integral) /
                          (1.0 - e_ * e_));
   }
-  const double all = encircled_.back();
-  for (int i = 0; i <= steps; ++i) {
-    const double amplitude = jinc(i * step) - e_ * e_ * jinc(e_ * i * step);
-    density_.push_back(amplitude * amplitude / (4.0 * pi * (1.0 - e_ * e_) * all));
-  }
+  const double beyond = 1.0 - encircled_.back();
+  // The share of the light beyond that has a place within x.
+  const auto taken_in = [](double x) { return std::max(0.0, 2.0 * x / reach - 1.0); };
   double former = 0.0;
-  for (double& share : encircled_) {  // rounding may not let a share fall
-    former = share = std::max(former, share / all);
+  for (int i = 0; i <= steps; ++i) {
+    const double x = i * step;
+    const double amplitude = jinc(x) - e_ * e_ * jinc(e_ * x);
+    const double from_beyond = x > 0.5 * reach ? beyond / (pi * reach * x) : 0.0;
+    density_.push_back(amplitude * amplitude / (4.0 * pi * (1.0 - e_ * e_)) + from_beyond);
+    double& share = encircled_[static_cast<std::size_t>(i)];
+    // Rounding may not let a share fall.
+    former = share = std::min(1.0, std::max(former, share + beyond * taken_in(x)));
   }
+  encircled_.back() = 1.0;
   int cell = 0;
   for (std::size_t i = 0; i < guide_.size(); ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(guide_.size() - 1);
+    const double share = static_cast<double>(i) / static_cast<double>(bins);
     while (cell + 1 < steps && encircled_[static_cast<std::size_t>(cell) + 1] <= share) ++cell;
     guide_[i] = cell;
   }
@@ -62,17 +67,20 @@ double AnnularAperture::density(double x) const noexcept {
 double AnnularAperture::encircled(double x) const noexcept {
   if (x >= reach) return 1.0;
   const auto cell = static_cast<std::size_t>(x / step);
-  const double share = x / step - static_cast<double>(cell);
-  return encircled_[cell] + share * (encircled_[cell + 1] - encircled_[cell]);
+  const double a = static_cast<double>(cell) * step, b = a + step;
+  const double within = (x * x - a * a) / (b * b - a * a);
+  return encircled_[cell] + within * (encircled_[cell + 1] - encircled_[cell]);
 }
 
 double AnnularAperture::distance(double share) const noexcept {
-  const auto bin = static_cast<std::size_t>(share * static_cast<double>(guide_.size() - 1));
-  auto cell = static_cast<std::size_t>(guide_[std::min(bin, guide_.size() - 1)]);
-  while (cell + 2 < encircled_.size() && encircled_[cell + 1] <= share) ++cell;
+  const auto bin = std::min(static_cast<std::size_t>(share * static_cast<double>(bins)), bins - 1);
+  const auto first = encircled_.begin() + guide_[bin] + 1;
+  const auto last = encircled_.begin() + guide_[bin + 1] + 1;
+  const auto cell =
+      static_cast<std::size_t>(std::upper_bound(first, last, share) - encircled_.begin()) - 1;
   const double lo = encircled_[cell], hi = encircled_[cell + 1];
   const double within = hi > lo ? std::clamp((share - lo) / (hi - lo), 0.0, 1.0) : 0.5;
-  // Inside a step the light goes with the area, x^2: exact in the middle, where it matters.
+  // Inside a step the light goes with the area, x^2, as it does in the middle.
   const double a = static_cast<double>(cell) * step, b = a + step;
   return std::sqrt(a * a + within * (b * b - a * a));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace nadir::sensor {
@@ -17,12 +18,13 @@ class AnnularAperture {
 
   /// Share of the light per unit area of the x plane; from a table, to 1e-3 of its peak.
   [[nodiscard]] double density(double x) const noexcept;
-  /// Share of the light within x. Cut off at `reach`, what lies beyond (0.04 % of a clear
-  /// aperture's, 0.13 % at an obscuration of 0.7) is given
-  /// to all distances in proportion.
+  /// Share of the light within x, to 1e-6. What lies beyond `reach`, 2 / (pi (1 - e) reach) (0.04 %
+  /// of a clear aperture's light, 0.13 % at an obscuration of 0.7), is taken in evenly between half
+  /// of it and the whole: all that is nearer, and with it the modulation of what a camera resolves,
+  /// stays true.
   [[nodiscard]] double encircled(double x) const noexcept;
-  /// The distance that holds a share of the light within it: undoes `encircled` to 1e-6 of the
-  /// light. Fast: called for every path.
+  /// The distance that holds a share of the light within it: undoes `encircled`. Fast: called for
+  /// every path.
   [[nodiscard]] double distance(double share) const noexcept;
   /// Modulation at a frequency: the transfer function is real and not negative.
   [[nodiscard]] double mtf(double rho) const noexcept;
@@ -30,10 +32,11 @@ class AnnularAperture {
   static constexpr double reach = 1600.0;
 
  private:
+  static constexpr std::size_t bins = 1024;
   double e_;
-  std::vector<double> encircled_;  // at even steps of x
-  std::vector<double> density_;    // at the same
-  std::array<int, 1025> guide_{};  // step in which each share of 1 / 1024 begins
+  std::vector<double> encircled_;      // at even steps of x
+  std::vector<double> density_;        // at the same
+  std::array<int, bins + 1> guide_{};  // step in which each bin of the light begins
 };
 
 }  // namespace nadir::sensor

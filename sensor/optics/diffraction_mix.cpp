@@ -8,8 +8,8 @@ namespace nadir::sensor {
 namespace {
 
 constexpr double metres_in_um = 1e-6;
-/// Steps of the density in the shortest wavelength's x: a quarter of a radian, a twelfth of a ring.
-constexpr double density_step = 0.25;
+/// Steps of the density in the shortest wavelength's x: a twenty-fifth of a ring.
+constexpr double density_step = 0.125;
 
 }  // namespace
 
@@ -26,17 +26,21 @@ DiffractionMix::DiffractionMix(const DiffractionSpread& lens,
   step_m_ = density_step * unit_m;
   const double reach_m = AnnularAperture::reach * unit_m * longest_um / shortest_um;
   const auto steps = static_cast<std::size_t>(reach_m / step_m_) + 2;
-  for (const WavelengthQuantiles& band : bands_) {
-    std::vector<float>& density = densities_.emplace_back(steps);
-    for (std::size_t i = 0; i < steps; ++i) {
-      double sum = 0.0;
-      for (std::size_t part = 0; part < WavelengthQuantiles::parts; ++part) {
-        const double per_m = std::numbers::pi / (band.middle(part) * metres_in_um * f_number_);
-        sum += aperture_.density(static_cast<double>(i) * step_m_ * per_m) * per_m * per_m;
-      }
-      density[i] = static_cast<float>(sum);
+  densities_.reserve(steps * bands_.size());
+  for (std::size_t i = 0; i < steps; ++i) {
+    for (const WavelengthQuantiles& band : bands_) {
+      densities_.push_back(static_cast<float>(density(band, static_cast<double>(i) * step_m_)));
     }
   }
+}
+
+double DiffractionMix::density(const WavelengthQuantiles& band, double distance_m) const {
+  double sum = 0.0;
+  for (std::size_t part = 0; part < WavelengthQuantiles::parts; ++part) {
+    const double per_m = std::numbers::pi / (band.middle(part) * metres_in_um * f_number_);
+    sum += aperture_.density(distance_m * per_m) * per_m * per_m;
+  }
+  return sum / static_cast<double>(WavelengthQuantiles::parts);
 }
 
 double DiffractionMix::distance(double which, double share) const noexcept {
@@ -46,22 +50,22 @@ double DiffractionMix::distance(double which, double share) const noexcept {
   return aperture_.distance(share) * wavelength_um * metres_in_um * f_number_ / std::numbers::pi;
 }
 
-double DiffractionMix::tabulated(std::size_t band, double place) const noexcept {
-  const std::vector<float>& density = densities_[band];
-  const auto cell = static_cast<std::size_t>(place);
-  if (cell + 1 >= density.size()) return 0.0;
-  const double within = place - static_cast<double>(cell);
-  return (1.0 - within) * static_cast<double>(density[cell]) +
-         within * static_cast<double>(density[cell + 1]);
-}
-
-double DiffractionMix::ratio(std::size_t band, double distance_m) const noexcept {
-  if (densities_.empty()) return 1.0;
+void DiffractionMix::weights(double distance_m, std::span<double> by_band) const noexcept {
+  std::fill(by_band.begin(), by_band.end(), 1.0);
+  const std::size_t count = bands_.size();
   const double place = distance_m / step_m_;
-  double mean = 0.0;
-  for (std::size_t b = 0; b < densities_.size(); ++b) mean += tabulated(b, place);
-  mean /= static_cast<double>(densities_.size());
-  return mean > 0.0 ? tabulated(band, place) / mean : 1.0;
+  const auto cell = static_cast<std::size_t>(place);
+  if (densities_.empty() || (cell + 2) * count > densities_.size()) return;
+  const double within = place - static_cast<double>(cell);
+  const float* const here = densities_.data() + cell * count;
+  double all = 0.0;
+  for (std::size_t b = 0; b < by_band.size(); ++b) {
+    by_band[b] = (1.0 - within) * static_cast<double>(here[b]) +
+                 within * static_cast<double>(here[b + count]);
+    all += by_band[b];
+  }
+  const double mean = all / static_cast<double>(count);
+  for (double& weight : by_band) weight = mean > 0.0 ? weight / mean : 1.0;
 }
 
 double DiffractionMix::mtf(std::size_t band, double frequency_per_m) const noexcept {

@@ -15,6 +15,8 @@
 namespace nadir::sensor {
 namespace {
 
+/// Of any length on the focal plane: that of an orthographic camera is as large as its ground.
+constexpr double largest_m = 1e4;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 void require(bool good, const std::string& message) {
@@ -25,7 +27,8 @@ void require(bool good, const std::string& message) {
 bool within(double value, double lo, double hi) { return value >= lo && value <= hi; }
 
 void check_table(const TabulatedSpread& table) {
-  require(table.columns > 0 && table.rows > 0 && table.pitch_m > 0.0 && !table.slices.empty(),
+  require(table.columns > 0 && table.rows > 0 && table.pitch_m > 0.0 &&
+              within(table.pitch_m, 0.0, largest_m) && !table.slices.empty(),
           "a table of a point-spread function needs cells, their pitch and a wavelength");
   const auto cells = static_cast<std::size_t>(table.columns) * static_cast<std::size_t>(table.rows);
   double former_um = 0.0;
@@ -59,15 +62,15 @@ void check_spread(const SpreadDescription& d) {
     require(within(d.diffraction->obscuration, 0.0, 0.95), "the obscuration must lie in 0 .. 0.95");
   }
   for (const GaussianSpread& g : d.gaussians) {
-    require(within(g.sigma_x_m, 0.0, 1.0) && within(g.sigma_y_m, 0.0, 1.0),
-            "the blur's standard deviation must lie in 0 .. 1 m");
+    require(within(g.sigma_x_m, 0.0, largest_m) && within(g.sigma_y_m, 0.0, largest_m),
+            "the blur's standard deviation must lie in 0 .. 10000 m");
   }
   if (d.table) check_table(*d.table);
   if (d.stray) {
     require(within(d.stray->share, 0.0, 0.999), "the stray light's share must lie in 0 .. 0.999");
-    require(d.stray->core_m > 0.0 && d.stray->reach_m > d.stray->core_m &&
-                within(d.stray->reach_m, 0.0, 10.0) && within(d.stray->slope, 0.0, 10.0),
-            "stray light needs 0 < core < reach <= 10 m and a slope in 0 .. 10");
+    require(d.stray->core_m > 0.0 && within(d.stray->reach_m, 0.0, largest_m) &&
+                d.stray->reach_m > d.stray->core_m && within(d.stray->slope, 0.0, 20.0),
+            "stray light needs 0 < core < reach <= 10000 m and a slope in 0 .. 20");
   }
 }
 
@@ -122,7 +125,8 @@ PointSpread::Draw PointSpread::draw(const Sampler& numbers, std::uint32_t first)
   }
   drawn.core_x_m = static_cast<float>(core.x);
   drawn.core_y_m = static_cast<float>(core.y);
-  drawn.displacement_m = core;
+  // Light that the optics throw from its ideal place by `core` is met by going back.
+  drawn.displacement_m = {-core.x, -core.y};
   if (t.sigma_x_m > 0.0 || t.sigma_y_m > 0.0) {
     // Box and Muller; the argument of the logarithm is in (0, 1].
     const Vec2 u = numbers.point(first + 2);
@@ -139,10 +143,12 @@ void PointSpread::weights(const Draw& draw, std::span<double> by_band) const noe
     return;
   }
   const Vec2 core{static_cast<double>(draw.core_x_m), static_cast<double>(draw.core_y_m)};
+  if (tables_->diffraction) {
+    tables_->diffraction->weights(std::hypot(core.x, core.y), by_band);
+    return;
+  }
   for (std::size_t band = 0; band < by_band.size(); ++band) {
-    by_band[band] = tables_->diffraction
-                        ? tables_->diffraction->ratio(band, std::hypot(core.x, core.y))
-                        : tables_->picture->ratio(band, core);
+    by_band[band] = tables_->picture->ratio(band, core);
   }
 }
 

@@ -55,14 +55,15 @@ struct SpreadDescription {
 /// path counts in each band. Where all bands have one function the weights are 1.
 class PointSpread {
  public:
-  /// @throws InputError for figures out of range, a table that does not sum to one within 1e-3,
-  /// both
-  ///         diffraction and a table
+  /// @throws InputError for figures out of range, a table that does not sum to one within 1e-3, or
+  ///         diffraction and a table together
   PointSpread(const SpreadDescription& description, const std::vector<spectral::Response>& bands);
 
   struct Draw {
-    Vec2 displacement_m;                     ///< on the focal plane: x right, y down
-    float core_x_m = 0.0F, core_y_m = 0.0F;  ///< the part that depends on the band
+    /// On the focal plane, x right, y down: from the detector's place to the ideal place of the
+    /// light that it gets, so against the way that the optics throw light.
+    Vec2 displacement_m;
+    float core_x_m = 0.0F, core_y_m = 0.0F;  ///< the part that depends on the band, along that way
     bool stray = false;
   };
   static constexpr std::uint32_t dimensions = 5;  ///< points of the sampler that it uses

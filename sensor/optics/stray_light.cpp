@@ -1,6 +1,6 @@
 #include "sensor/optics/stray_light.hpp"
 
-#include <math.h>  // j0 of POSIX
+#include <math.h>  // j1 of POSIX
 
 #include <cmath>
 #include <numbers>
@@ -21,10 +21,16 @@ double stray_distance(const StraySpread& stray, double share) noexcept {
 
 double stray_mtf(const StraySpread& stray, double frequency_per_m) {
   constexpr int rings = 2000;
-  double sum = 0.0;
-  for (int i = 0; i < rings; ++i) {
-    const double r = stray_distance(stray, (i + 0.5) / rings);
-    sum += ::j0(2.0 * std::numbers::pi * frequency_per_m * r);
+  const double k = 2.0 * std::numbers::pi * frequency_per_m;
+  if (k == 0.0) return 1.0;
+  double sum = 0.0, inner = 0.0, inner_term = 0.0;
+  for (int i = 1; i <= rings; ++i) {
+    // The mean of J0(k r) over a ring: int J0(k r) r dr = r J1(k r) / k.
+    const double outer = stray_distance(stray, static_cast<double>(i) / rings);
+    const double outer_term = outer * ::j1(k * outer);
+    sum += 2.0 * (outer_term - inner_term) / (k * (outer - inner) * (outer + inner));
+    inner = outer;
+    inner_term = outer_term;
   }
   return sum / rings;
 }

@@ -11,7 +11,7 @@ namespace nadir::sensor {
 
 /// One factor of a system's modulation transfer along one axis of the image.
 struct MtfTerm {
-  std::string name;            ///< "diffraction", "detector", "smear", ...
+  std::string name;            ///< "optics", "detector", "smear", "lag", ...
   std::vector<double> values;  ///< one a frequency
 };
 
@@ -29,8 +29,10 @@ struct SystemMtf {
   std::vector<double> total;   ///< their product
 };
 /// Modulation transfer of a band at frequencies in cycles per pixel. Every term that the renderer
-/// samples, each by its closed form: optics, stray light, detector area, motion in the exposure,
-/// bolometer's lag, jitter, time-delay integration that does not match the motion.
+/// samples, each by its closed form: optics with stray light, detector area, motion in the
+/// exposure, bolometer's lag, time-delay integration that does not match the motion, jitter without
+/// memory of perspective cameras. Not in it: jitter with memory, distortion, the turning of
+/// modules.
 [[nodiscard]] SystemMtf system_mtf(const DetectorArray& array, const Platform& platform,
                                    const MtfQuestion& question,
                                    const std::vector<double>& cycles_per_pixel);

@@ -125,7 +125,7 @@ void make_continuous(TabulatedAttitude& table, std::size_t i) {
     throw InputError{"quaternion " + std::to_string(i + 1) +
                      " of the table of attitudes has length " + number_text(length) + ", not 1"};
   }
-  q = normalised(q);
+  q = unit(q);
   if (i == 0) return;
   const Quaternion& before = table.orientations[i - 1];
   if (dot(q, before) < 0.0) q = -q;

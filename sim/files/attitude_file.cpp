@@ -33,7 +33,7 @@ Quaternion row_quaternion(const NumberTable& table, const NumberTable::Row& row,
                "a quaternion of length " + number_text(norm) + ", expected 1 within 0.001");
     return {};
   }
-  return normalised(q);
+  return unit(q);
 }
 
 }  // namespace

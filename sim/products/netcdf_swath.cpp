@@ -18,25 +18,25 @@ enum Dimension { band_dimension = 0, line_dimension = 1, sample_dimension = 2 };
 
 // One more than the cube has dimensions: GDAL would take as many for the axes themselves.
 constexpr const char* auxiliary = "time latitude longitude height wavelength band_name";
-using Type = NetCdfVariable::Type;
+using VariableType = NetCdfVariable::Type;
 
 /// The places of pixels: those of the truth, or computed for the time of the writing.
-class Places {
+class PlaceFile {
  public:
-  explicit Places(const GeoTask& task) : file_{task.with("_place.img")} {
+  explicit PlaceFile(const GeoTask& task) : file_{task.with("_place.img")} {
     if (fs::exists(file_)) return;
     file_ = task.with("_swath-places.img");
     own_ = true;
     write_places(file_, *task.geometry, *task.array);
   }
-  ~Places() {
+  ~PlaceFile() {
     if (!own_) return;
     std::error_code ignored;
     fs::remove(file_, ignored);
     fs::remove(envi_header_of(file_), ignored);
   }
-  Places(const Places&) = delete;
-  Places& operator=(const Places&) = delete;
+  PlaceFile(const PlaceFile&) = delete;
+  PlaceFile& operator=(const PlaceFile&) = delete;
   [[nodiscard]] const fs::path& file() const { return file_; }
 
  private:
@@ -67,7 +67,7 @@ NetCdfVariable cube(const char* name, const fs::path& file, NetCdfAttributes att
   attributes.emplace_back("grid_mapping", "crs");
   return {name,
           {band_dimension, line_dimension, sample_dimension},
-          Type::float32,
+          VariableType::float32,
           RasterPlanes{file, 1},
           std::move(attributes),
           true};
@@ -98,7 +98,7 @@ void add_bands(const GeoTask& task, std::vector<NetCdfVariable>& variables) {
   }
   variables.push_back({"wavelength",
                        {band_dimension},
-                       Type::float64,
+                       VariableType::float64,
                        centres,
                        {{"standard_name", "sensor_band_central_radiation_wavelength"},
                         {"long_name", "centroid of the band's response"},
@@ -106,12 +106,12 @@ void add_bands(const GeoTask& task, std::vector<NetCdfVariable>& variables) {
   variables.push_back(
       {"wavelength_width",
        {band_dimension},
-       Type::float64,
+       VariableType::float64,
        widths,
        {{"long_name", "full width of the band's response at half its maximum"}, {"units", "um"}}});
   variables.push_back({"band_name",
                        {band_dimension},
-                       Type::float64,
+                       VariableType::float64,
                        names,
                        {{"standard_name", "sensor_band_identifier"}, {"long_name", "band"}}});
 }
@@ -131,7 +131,7 @@ void add_places(const fs::path& places, std::vector<NetCdfVariable>& variables) 
     if (number == 2) attributes.emplace_back("positive", "up");
     variables.push_back({plane.name,
                          {line_dimension, sample_dimension},
-                         Type::float64,
+                         VariableType::float64,
                          RasterPlanes{places, ++number},
                          std::move(attributes),
                          true});
@@ -144,13 +144,13 @@ void add_times(const GeoTask& task, std::vector<NetCdfVariable>& variables) {
                               {"units", since(task.geometry->time)},
                               {"calendar", "standard"}};
   variables.push_back(
-      {"time", {line_dimension}, Type::float64, line_times_of(*task.array), attributes});
+      {"time", {line_dimension}, VariableType::float64, line_times_of(*task.array), attributes});
 }
 
 void add_reference(std::vector<NetCdfVariable>& variables) {
   variables.push_back({"crs",
                        {},
-                       Type::int32,
+                       VariableType::int32,
                        std::vector<double>{0.0},
                        {{"grid_mapping_name", "latitude_longitude"},
                         {"long_name", "WGS 84"},
@@ -162,7 +162,7 @@ void add_reference(std::vector<NetCdfVariable>& variables) {
 }  // namespace
 
 std::vector<ProductFile> write_netcdf_swath(const GeoTask& task) {
-  const Places places{task};
+  const PlaceFile places{task};
   const sensor::DetectorArray& array = *task.array;
   const Camera& camera = *task.geometry->camera;
   NetCdf file;

@@ -43,7 +43,7 @@ EarthPose blended(const std::vector<EarthPose>& poses, std::size_t first, double
     sum.orientation.y += w[i] * pose.orientation.y;
     sum.orientation.z += w[i] * pose.orientation.z;
   }
-  sum.orientation = normalised(sum.orientation);
+  sum.orientation = unit(sum.orientation);
   return sum;
 }
 

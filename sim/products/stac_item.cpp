@@ -67,15 +67,16 @@ std::optional<MiddleView> middle_view(const GeoTask& task) {
   const Mat3 at_ground = frame.axes_at(ground->geodetic).transposed();
   const Mat3 at_camera = frame.axes_at(frame.geodetic(view.ray.origin)).transposed();
   const Vec3 back = at_ground * -view.ray.direction;
-  const double down = -(at_camera * view.ray.direction).z;
+  // STAC counts the azimuth from the point below the platform to the scene.
+  const Vec3 ahead = at_camera * view.ray.direction;
   const double h = ground->geodetic.height_m;
   const double width =
       pixel_side_m(task, {middle.sample - 0.5, middle.line}, {middle.sample + 0.5, middle.line}, h);
   const double height =
       pixel_side_m(task, {middle.sample, middle.line - 0.5}, {middle.sample, middle.line + 0.5}, h);
-  return MiddleView{*ground, std::acos(std::clamp(down, -1.0, 1.0)) * degrees_per_radian,
+  return MiddleView{*ground, std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * degrees_per_radian,
                     std::acos(std::clamp(back.z, -1.0, 1.0)) * degrees_per_radian,
-                    azimuth_deg(back), std::sqrt(width * height)};
+                    azimuth_deg(ahead), std::sqrt(width * height)};
 }
 
 struct Outline {

@@ -16,7 +16,7 @@ namespace {
 /// Faces and corners of a cube, turned a little so that none runs along the edges and diagonals of
 /// a box.
 std::array<Vec3, 14> directions() {
-  const Mat3 turn = rotation(normalised(Vec3{0.36, 0.48, 0.8}), 0.2);
+  const Mat3 turn = rotation(normalised({0.36, 0.48, 0.8}), 0.2);
   std::array<Vec3, 14> all;
   std::size_t n = 0;
   for (const double s : {-1.0, 1.0}) {

@@ -43,7 +43,7 @@ bool contains(const Plate& outer, const Plate& inner) {
          std::abs(inner.y - outer.y) + inner.half_y <= outer.half_y + slack;
 }
 
-struct Placed {
+struct PlacedArray {
   Plate whole;
   std::vector<Plate> plates;  ///< its modules; `whole` where there are none
   double pixel = 0.0;         ///< the smaller side of a pixel
@@ -61,13 +61,13 @@ std::array<int, 2> detectors_of(const ArrayInput& array) {
   return {array.samples, array.lines};
 }
 
-Placed place_of(const ArrayInput& array, bool orthographic) {
+PlacedArray place_of(const ArrayInput& array, bool orthographic) {
   constexpr double um_per_m = 1e6;
   const double pitch_x = orthographic ? array.ground_pitch_m * um_per_m : array.pitch_um;
   const double own_y = orthographic ? array.ground_pitch_y_m * um_per_m : array.pitch_y_um;
   const double pitch_y = own_y > 0.0 ? own_y : pitch_x;
   const auto [columns, rows] = detectors_of(array);
-  Placed placed;
+  PlacedArray placed;
   placed.whole = {orthographic ? array.offset_x_m * um_per_m : array.offset_x_um,
                   orthographic ? array.offset_y_m * um_per_m : array.offset_y_um,
                   0.5 * columns * pitch_x, 0.5 * rows * pitch_y, 0.0};
@@ -87,7 +87,7 @@ Placed place_of(const ArrayInput& array, bool orthographic) {
 /// shall pass.
 bool overlap(const Plate& a, const Plate& b, double pixel) { return depth(a, b) > 0.1 * pixel; }
 
-bool overlap(const Placed& a, const Placed& b) {
+bool overlap(const PlacedArray& a, const PlacedArray& b) {
   // A beam splitter shows one field to two frames: one of them then has all of the other's.
   const bool frames = !a.scanned && !b.scanned;
   if (frames && (contains(a.whole, b.whole) || contains(b.whole, a.whole))) return false;
@@ -99,7 +99,7 @@ bool overlap(const Placed& a, const Placed& b) {
 }
 
 void check_own_modules(const BuildContext& context, const CheckedElement& element,
-                       const ArrayInput& array, const Placed& placed) {
+                       const ArrayInput& array, const PlacedArray& placed) {
   for (std::size_t i = 1; i < placed.plates.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!overlap(placed.plates[i], placed.plates[k], placed.pixel)) continue;
@@ -118,7 +118,7 @@ void check_own_modules(const BuildContext& context, const CheckedElement& elemen
 void check_focal_plane(const BuildContext& context,
                        const std::vector<const CheckedElement*>& elements,
                        const CameraInput& camera) {
-  std::vector<Placed> places;
+  std::vector<PlacedArray> places;
   for (std::size_t i = 0; i < camera.arrays.size(); ++i) {
     const ArrayInput& array = camera.arrays[i];
     places.push_back(place_of(array, camera.orthographic));

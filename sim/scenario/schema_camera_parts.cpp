@@ -10,7 +10,7 @@ constexpr const char* radiance_unit = "W m^-2 sr^-1 um^-1";
 /// Wavelengths for which the Planck function and the spectra are tested.
 NumberType wavelength() { return from_to(0.2, 20.0); }
 /// Radiance per um: the sun's own disc is 3e7.
-NumberType radiance() { return above_to(0.0, 1e8); }
+NumberType band_radiance() { return above_to(0.0, 1e8); }
 NumberType noise_ratio() { return above_to(0.0, 1e6); }
 NumberType noise_kelvin() { return above_to(0.0, 100.0); }
 NumberType electrons() { return from_to(0.0, 1e12); }
@@ -28,13 +28,14 @@ ElementType band(const std::string& name, const std::string& doc, std::vector<At
   std::vector<Attribute> attributes = {required("name", NameType{}, "", "Unique in its array.")};
   for (Attribute& attribute : own) attributes.push_back(std::move(attribute));
   for (Attribute& attribute : std::vector<Attribute>{
-           optional("reference_radiance", radiance(), radiance_unit, "no figures at one",
+           optional("reference_radiance", band_radiance(), radiance_unit, "no figures at one",
                     "Of the band, at which data sheets give SNR and noise."),
            optional("snr", noise_ratio(), "", "figures say, or nedt_k",
                     "Signal over noise at reference_radiance; for published_noise."),
            optional("nedt_k", noise_kelvin(), "K", "figures say, or snr",
                     "Noise-equivalent temperature difference at 300 K; for published_noise."),
-           optional("saturation_radiance", radiance(), radiance_unit, "as published_noise says",
+           optional("saturation_radiance", band_radiance(), radiance_unit,
+                    "as published_noise says",
                     "Radiance of the largest number; for published_noise."),
            optional("saturation_temperature_k", above_to(0.0, 6000.0), "K",
                     "as published_noise says",
@@ -69,7 +70,7 @@ std::vector<ElementType> bands() {
       {.id = "snr_at",
        .name = "snr_at",
        .doc = "A published figure of the band's noise; several of them give its law.",
-       .attributes = {required("radiance", radiance(), radiance_unit, "Of the band."),
+       .attributes = {required("radiance", band_radiance(), radiance_unit, "Of the band."),
                       required("snr", noise_ratio(), "", "Signal over noise.")}},
       {.id = "nedt_at",
        .name = "nedt_at",
@@ -248,12 +249,12 @@ std::vector<ElementType> detectors() {
                     "Digital number an electron."),
            defaulted("flat", boolean(), "", "true",
                      "The fall-off towards the corners is taken out of the numbers.")}),
-      detector(
-          "published_noise",
-          "A detector of which only figures of noise are published: by snr or nedt_k of its "
-          "bands, or by snr_at and nedt_at in them.",
-          {optional("saturation_radiance", radiance(), radiance_unit, "every band needs its own",
-                    "Radiance of the largest number, of bands that say nothing else.")}),
+      detector("published_noise",
+               "A detector of which only figures of noise are published: by snr or nedt_k of its "
+               "bands, or by snr_at and nedt_at in them.",
+               {optional("saturation_radiance", band_radiance(), radiance_unit,
+                         "every band needs its own",
+                         "Radiance of the largest number, of bands that say nothing else.")}),
   };
 }
 

@@ -66,7 +66,7 @@ TEST_CASE("a product of quaternions is that of their matrices", "[core][quaterni
     CHECK(entry_difference(to_matrix(-a), to_matrix(a)) == 0.0);
     CHECK(dot(a * conjugate(a), Quaternion{}) == Approx(1.0).epsilon(1e-15));
   }
-  const Quaternion scaled = normalised({3.0, 0.0, -4.0, 0.0});
+  const Quaternion scaled = unit({3.0, 0.0, -4.0, 0.0});
   CHECK(scaled.w == Approx(0.6).epsilon(1e-15));
   CHECK(scaled.y == Approx(-0.8).epsilon(1e-15));
 }

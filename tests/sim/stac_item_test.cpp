@@ -41,6 +41,14 @@ TEST_CASE("a satellite's item says where, when and from where it looked") {
   CHECK(properties["bands"][0]["eo:common_name"] == "green");
 }
 
+TEST_CASE("the view's azimuth leads from below the camera to the scene") {
+  const auto scene = support::drone();
+  const Json item = Json::parse(stac_item(scene->task("out/frame"), {}, {}));
+  // Yaw 30; the image's middle lies half a degree off the axis, which is tilted by 15.
+  CHECK(item["properties"]["view:azimuth"].get<double>() == Approx(30.0).margin(2.5));
+  CHECK(item["properties"]["view:off_nadir"].get<double>() == Approx(15.0).margin(0.6));
+}
+
 TEST_CASE("an item on a map has its projection, and one at rest no orbit") {
   const auto scene = support::orthographic(0.5, 20.0);
   const GeoTask task = scene->task("out/map");

@@ -1,6 +1,7 @@
 #include "gdal_calls.hpp"
 
 #include <cpl_error.h>
+#include <gdal.h>
 
 namespace nadir_rasters {
 
@@ -15,5 +16,8 @@ QuietErrors::QuietErrors() {
 }
 
 QuietErrors::~QuietErrors() { CPLPopErrorHandler(); }
+
+BlockCache::BlockCache() : before_{GDALGetCacheMax64()} { GDALSetCacheMax64(256LL << 20); }
+BlockCache::~BlockCache() { GDALSetCacheMax64(before_); }
 
 }  // namespace nadir_rasters

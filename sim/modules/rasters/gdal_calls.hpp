@@ -21,6 +21,20 @@ class QuietErrors {
   QuietErrors& operator=(const QuietErrors&) = delete;
 };
 
+/// While images are written GDAL may keep 256 MB of blocks: its own choice, a twentieth of the
+/// machine's memory, would make what a run needs depend on the machine. 512 lines of 25,000 pixels
+/// and five bands of floats fit, so that no line is read twice.
+class BlockCache {
+ public:
+  BlockCache();
+  ~BlockCache();
+  BlockCache(const BlockCache&) = delete;
+  BlockCache& operator=(const BlockCache&) = delete;
+
+ private:
+  long long before_;
+};
+
 /// Runs the work of an entry; what it throws travels as text.
 template <class Work>
 int told(const Work& work, char* message, std::size_t message_size) {

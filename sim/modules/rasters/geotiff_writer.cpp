@@ -123,6 +123,7 @@ Dataset described(const NadirGeoTiff& wanted) {
 
 void write_geotiff(const NadirGeoTiff& wanted) {
   GDALDriver& cog = driver("COG");
+  const BlockCache cache;
   const Dataset made = described(wanted);
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");

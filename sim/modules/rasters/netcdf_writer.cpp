@@ -157,6 +157,7 @@ void write_planes(GDALMDArray& array, const NadirVariable& wanted) {
 void write_netcdf(const NadirNetCdf& wanted) {
   GDALAllRegister();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("netCDF");
+  const BlockCache cache;
   if (driver == nullptr) fail("this GDAL has no driver netCDF");
   const std::unique_ptr<GDALDataset> file{
       driver->CreateMultiDimensional(wanted.target, nullptr, nullptr)};
