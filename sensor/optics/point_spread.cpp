@@ -23,6 +23,12 @@ void require(bool good, const std::string& message) {
   if (!good) throw InputError{message};
 }
 
+/// A distance and a share of the whole turn, as a place.
+Vec2 turned(double distance, double share) {
+  const double angle = two_pi * share;
+  return {distance * std::cos(angle), distance * std::sin(angle)};
+}
+
 /// False for NaN as well.
 bool within(double value, double lo, double hi) { return value >= lo && value <= hi; }
 
@@ -109,19 +115,18 @@ PointSpread::PointSpread(const SpreadDescription& description,
 PointSpread::Draw PointSpread::draw(const Sampler& numbers, std::uint32_t first) const noexcept {
   Draw drawn;
   const Tables& t = *tables_;
-  const Vec2 choice = numbers.point(first), place = numbers.point(first + 1);
-  if (description_.stray && choice.y < description_.stray->share) {
-    const double r = stray_distance(*description_.stray, place.x), angle = two_pi * place.y;
-    drawn.displacement_m = {r * std::cos(angle), r * std::sin(angle)};
+  if (description_.stray && numbers.point(first).y < description_.stray->share) {
+    const Vec2 place = numbers.point(first + 1);
+    drawn.displacement_m = turned(stray_distance(*description_.stray, place.x), place.y);
     drawn.stray = true;
     return drawn;
   }
   Vec2 core{0.0, 0.0};
-  if (t.diffraction) {
-    const double r = t.diffraction->distance(choice.x, place.x), angle = two_pi * place.y;
-    core = {r * std::cos(angle), r * std::sin(angle)};
-  } else if (t.picture) {
-    core = t.picture->draw(choice.x, place);
+  if (t.diffraction || t.picture) {
+    const double which = numbers.number(first);  // the x of the point that decides on stray light
+    const Vec2 place = numbers.point(first + 1);
+    core = t.diffraction ? turned(t.diffraction->distance(which, place.x), place.y)
+                         : t.picture->draw(which, place);
   }
   drawn.core_x_m = static_cast<float>(core.x);
   drawn.core_y_m = static_cast<float>(core.y);
@@ -130,9 +135,9 @@ PointSpread::Draw PointSpread::draw(const Sampler& numbers, std::uint32_t first)
   if (t.sigma_x_m > 0.0 || t.sigma_y_m > 0.0) {
     // Box and Muller; the argument of the logarithm is in (0, 1].
     const Vec2 u = numbers.point(first + 2);
-    const double r = std::sqrt(-2.0 * std::log(1.0 - u.x)), angle = two_pi * u.y;
-    drawn.displacement_m.x += t.sigma_x_m * r * std::cos(angle);
-    drawn.displacement_m.y += t.sigma_y_m * r * std::sin(angle);
+    const Vec2 normal = turned(std::sqrt(-2.0 * std::log(1.0 - u.x)), u.y);
+    drawn.displacement_m.x += t.sigma_x_m * normal.x;
+    drawn.displacement_m.y += t.sigma_y_m * normal.y;
   }
   return drawn;
 }

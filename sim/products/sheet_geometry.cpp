@@ -46,6 +46,7 @@ class GroundEllipsoid {
 sensor::DetectorArray snapshot(const sensor::DetectorArray& array, double time_s) {
   sensor::DetectorArray still = array;
   still.bands.clear();
+  still.modules.clear();  // their stagger would count as ground between two samples
   if (std::holds_alternative<sensor::Pushbroom>(array.timing.scan)) still.lines = 1;
   if (const auto* broom = std::get_if<sensor::Whiskbroom>(&array.timing.scan)) {
     still.samples = 1;
@@ -80,7 +81,14 @@ struct Footprint {
   Vec3 velocity;
 };
 
+/// A moment in the middle of the image at which the detectors look at the ground.
 double middle_time(const sensor::DetectorArray& array) {
+  if (const auto* broom = std::get_if<sensor::Whiskbroom>(&array.timing.scan)) {
+    // The middle of a sweep: between sweeps a mirror looks elsewhere.
+    const int sweeps = array.lines / broom->lines_per_scan;
+    return broom->first_sample_s + (sweeps / 2) * broom->scan_period_s +
+           0.5 * (array.samples - 1) * broom->sample_period_s;
+  }
   const sensor::TimeSpan all = span(array.timing, array.samples, array.lines);
   return 0.5 * (all.first_s + all.last_s);
 }

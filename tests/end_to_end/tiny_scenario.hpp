@@ -24,6 +24,10 @@ struct TinyScenario {
   std::string band = R"(<band_box name="b" lo_um="0.549" hi_um="0.551"/>)";
   std::string array = R"(samples="1" lines="1" ground_pitch_m="0.01")";
   int samples = 1;  ///< in each of the four replicates
+  std::string platform = R"(<position><local east_m="0" north_m="0" up_m="50"/></position>)"
+                         R"(<attitude><euler yaw_deg="0" pitch_deg="-90"/></attitude>)";
+  std::string camera;  ///< in place of an orthographic one with `array` and `band`
+  std::string products = R"(exr="false" quick_look="false" truth="false" sidecars="false")";
 
   /// Every part begins on a line of its own, so that a test can say in which line a mistake lies.
   [[nodiscard]] std::string text() const {
@@ -40,16 +44,18 @@ struct TinyScenario {
            materials +
            "\n</materials>\n"
            "<geometry>" +
-           geometry + "</geometry>\n" + extra +
-           "\n<platform><position><local east_m=\"0\" north_m=\"0\" up_m=\"50\"/></position>"
-           "<attitude><euler yaw_deg=\"0\" pitch_deg=\"-90\"/></attitude></platform>\n"
-           "<camera><orthographic><array name=\"a\" " +
-           array + ">" + band +
-           "</array></orthographic></camera>\n"
+           geometry + "</geometry>\n" + extra + "\n<platform>" + platform +
+           "</platform>\n<camera>" +
+           (camera.empty() ? "<orthographic><array name=\"a\" " + array + ">" + band +
+                                 "</array></orthographic>"
+                           : camera) +
+           "</camera>\n"
            "<sampling replicates=\"4\" samples_per_replicate=\"" +
            std::to_string(samples) +
            "\" wavelengths_per_band=\"1\"/>\n"
-           "<products exr=\"false\" quick_look=\"false\" truth=\"false\"/>\n"
+           "<products " +
+           products +
+           "/>\n"
            "</scenario>\n";
   }
 };

@@ -49,17 +49,17 @@ double first_dark_ring(double e) {
   return lo;
 }
 
-// J0(x1)^2 of Rayleigh's law, with x1 and x2 the first zeros of J1: Born & Wolf, Principles of
-// Optics, 7th ed., section 8.5.2, print 83.8 % and 91.0 %.
+// 1 - J0^2 at the zeros of J1 (Abramowitz & Stegun, table 9.5). Born & Wolf, Principles of Optics,
+// 7th ed., section 8.5.2, print 83.8 % and 91.0 %.
 TEST_CASE("Airy's dark rings hold 83.8 and 91.0 % of the light", "[sensor][diffraction]") {
   const AnnularAperture clear{0.0};
-  CHECK(clear.encircled(3.83170597) == Approx(0.83785).margin(1e-5));
-  CHECK(clear.encircled(7.01558667) == Approx(0.90990).margin(1e-5));
-  CHECK(clear.encircled(10.1734681) == Approx(0.93793).margin(2e-5));
+  CHECK(clear.encircled(3.83170597) == Approx(1.0 - 0.4027594 * 0.4027594).margin(1e-5));
+  CHECK(clear.encircled(7.01558667) == Approx(1.0 - 0.3001157 * 0.3001157).margin(1e-5));
+  CHECK(clear.encircled(10.1734681) == Approx(1.0 - 0.2497049 * 0.2497049).margin(1e-5));
 }
 
-// Central spot of annular apertures: radius in lambda N and share, as printed in D. J. Schroeder,
-// Astronomical Optics, 2nd ed., table 10.2, and V. N. Mahajan, Appl. Opt. 17, 964 (1978).
+// Central spot of annular apertures: radius in lambda N, and share. Source: D. J. Schroeder,
+// Astronomical Optics, 2nd ed. (2000), table 10.2.
 TEST_CASE("an obscuration takes light from the central spot as published",
           "[sensor][diffraction]") {
   struct Row {

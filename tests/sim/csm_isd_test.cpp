@@ -62,7 +62,7 @@ geometry::Ray ray_of(const Json& isd, double sample, double line) {
   const double f = isd.at("focal_length_model").at("focal_length");
   const auto q = at(isd.at("instrument_pointing"), "quaternions", et);
   const auto p = at(isd.at("instrument_position"), "positions", et);
-  const Mat3 to_sensor = to_matrix(normalised(Quaternion{q[0], q[1], q[2], q[3]}));
+  const Mat3 to_sensor = to_matrix(unit(Quaternion{q[0], q[1], q[2], q[3]}));
   return {Vec3{p[0], p[1], p[2]} * 1000.0, normalised(to_sensor.transposed() * Vec3{x, y, f})};
 }
 
