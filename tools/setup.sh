@@ -21,7 +21,7 @@ packages=(
   catch2
 )
 check_packages=(
-  clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3 libxml2-utils gdal-bin libbenchmark-dev
+  clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3 python3-numpy libxml2-utils gdal-bin libbenchmark-dev
 )
 
 list_only=no

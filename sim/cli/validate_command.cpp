@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "sim/run/load_camera.hpp"
 #include "sim/run/run.hpp"
 #include "sim/scenario/material_library.hpp"
 #include "sim/scenario/read_scenario.hpp"
+#include "sim/scenario/sensor_file.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -37,6 +39,16 @@ std::string summary(const Validation& found) {
 void validate(const std::string& file) {
   if (is_material_library(file)) {
     fmt::print("{}: ok ({})\n", file, counted(read_material_library(file).size(), "material"));
+    return;
+  }
+  if (is_sensor_file(file)) {
+    InputFiles files;
+    Diagnostics diagnostics;
+    const Camera camera = load_sensor_file(file, files, diagnostics).camera;
+    std::size_t bands = 0;
+    for (const auto& array : camera.arrays) bands += array.bands.size();
+    fmt::print("{}: ok ({} in {})\n", file, counted(bands, "band"),
+               counted(camera.arrays.size(), "array"));
     return;
   }
   const Validation found = validate_scenario(file);

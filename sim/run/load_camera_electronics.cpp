@@ -1,27 +1,9 @@
 #include "sensor/detector/checks.hpp"
+#include "sensor/detector/photon_yield.hpp"
 #include "sim/run/load_camera_arrays.hpp"
-#include "spectral/band_quadrature.hpp"
-#include "spectral/planck.hpp"
 
 namespace nadir::sim {
 namespace {
-
-/// Band-mean radiance of a black body, or its derivative by temperature. Sixteen nodes are exact to
-/// 1e-9 for the smooth Planck function over any band.
-template <class PerWavelength>
-double band_mean_of(const spectral::Response& response, PerWavelength&& value) {
-  const spectral::BandQuadrature band = spectral::gauss_quadrature(response, 16);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < band.wavelengths.size(); ++i) {
-    sum += band.weights[i] * value(band.wavelengths[i]);
-  }
-  return sum;
-}
-
-double black_body_radiance(const spectral::Response& response, Kelvin temperature) {
-  return band_mean_of(response,
-                      [&](Micrometres w) { return spectral::planck(w, temperature).value; });
-}
 
 struct FigureLoader {
   const spectral::Response& response;
@@ -32,9 +14,8 @@ struct FigureLoader {
   /// sigma = NEdT dL/dT at the scene's temperature
   sensor::NoiseFigure operator()(const NedtFigure& figure) const {
     const Kelvin scene{figure.temperature_k};
-    const double slope = band_mean_of(
-        response, [&](Micrometres w) { return spectral::planck_derivative(w, scene); });
-    return {black_body_radiance(response, scene), figure.nedt_k * slope};
+    const double slope = sensor::band_planck_derivative(response, scene);
+    return {sensor::band_planck(response, scene), figure.nedt_k * slope};
   }
 };
 
@@ -95,7 +76,7 @@ BandElectronics load_electronics(const ArrayInput& input, const BandInput& band,
     detector.element = load_noise(band, response);
     detector.digitiser.saturation =
         band.saturation_temperature_k
-            ? black_body_radiance(response, Kelvin{*band.saturation_temperature_k})
+            ? sensor::band_planck(response, Kelvin{*band.saturation_temperature_k})
             : band.saturation_radiance.value_or(0.0);
   }
   sensor::check(detector);
