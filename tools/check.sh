@@ -4,8 +4,8 @@
 #   tools/check.sh [--fast | --all] [--no-setup]
 #
 # Format, include directions, build with warnings as errors, all tests, the tests again under the
-# address and undefined-behaviour sanitizers. --fast leaves the sanitizers out; --all adds clang-tidy
-# over every source, which takes longer than all the rest: run it before a release.
+# address and undefined-behaviour sanitizers. --fast leaves the sanitizers out; --all adds the long
+# tests and clang-tidy over every source, which takes longer than all the rest: run it before a release.
 # Works in build-check/ and build-sanitize/, never in build/. Every step runs even where an earlier
 # one failed; the exit status is 0 only if all passed. Run again, it builds, tests and lints only
 # what changed, except that the tests of the release build always run.
@@ -102,7 +102,7 @@ sanitized_tests() {
   # The leak check dies on the thread-local storage of some library that OpenImageIO brings along,
   # unless the sanitizer leaves that storage alone.
   ASAN_OPTIONS="intercept_tls_get_addr=0" UBSAN_OPTIONS="print_stacktrace=1" \
-    tests build-sanitize -LE 'install|slow|end_to_end' &&
+    tests build-sanitize -LE 'install|slow|long|end_to_end' &&
     mv "build-sanitize/.started" "$stamp"
 }
 
@@ -123,7 +123,7 @@ step scripts check_scripts
 # Several sources at a time, which takes half the time; that each source stands by itself shows the
 # plain build that everybody works with, demo.sh's as well.
 step build build build-check -DNADIR_UNITY=ON -DCMAKE_BUILD_TYPE=Release -DNADIR_WERROR=ON
-step test tests build-check
+step test tests build-check -LE long
 if [ "$fast" = no ]; then
   # By clang: every change is seen by both compilers, and it takes half of g++'s time.
   step sanitize build build-sanitize -DCMAKE_CXX_COMPILER=clang++-14 \
@@ -132,6 +132,7 @@ if [ "$fast" = no ]; then
   step santest sanitized_tests
 fi
 if [ "$all" = yes ]; then
+  step long tests build-check -L long
   step tidy lint
 fi
 
