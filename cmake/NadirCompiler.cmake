@@ -14,9 +14,13 @@ endif()
 
 add_library(nadir_compiler INTERFACE)
 target_compile_options(nadir_compiler INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
-# Of several sources that are compiled as one, each would shadow what the others call their own.
+# Of several sources that are compiled as one, each would shadow what the others call their own;
 set(unity "$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>")
 target_compile_options(nadir_compiler INTERFACE $<$<NOT:${unity}>:-Wshadow>)
+# and g++ takes a source that another includes for a header, whose types with members from an
+# anonymous namespace would differ from one source to the next.
+target_compile_options(nadir_compiler INTERFACE
+  $<$<AND:${unity},$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 # g++ 12 reports strings of braced temporaries as uninitialised (GCC bug 105562), and strings that
 # are put together as overlapping themselves (105651); the sanitizers and clang-tidy watch for real
 # ones.

@@ -54,6 +54,25 @@ double falloff_power(const Detector& detector) noexcept {
                                                                   : 0.0;
 }
 
+/// Fall-off at places spread evenly over the image, the middles of as many equal parts.
+std::vector<double> spread_falloff(const DetectorArray& array, double power) {
+  constexpr int parts = 16;
+  if (power == 0.0 || !std::holds_alternative<Perspective>(array.projection)) return {};
+  FallOff falloff{array, power};
+  const int lines = std::min(array.lines, parts), samples = std::min(array.samples, parts);
+  const auto middle = [](int i, int n, int all) {
+    return static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * all / (2 * n));
+  };
+  std::vector<double> found;
+  for (int j = 0; j < lines; ++j) {
+    falloff.line(middle(j, lines, array.lines));
+    for (int i = 0; i < samples; ++i) {
+      found.push_back(falloff.at(static_cast<std::size_t>(middle(i, samples, array.samples))));
+    }
+  }
+  return found;
+}
+
 void check_lengths(std::size_t samples, const SignalChain::Line& out) {
   const auto fits = [&](const auto& plane) { return plane.empty() || plane.size() == samples; };
   if (out.dn.size() == samples && fits(out.electrons) && fits(out.noise)) return;
@@ -115,6 +134,7 @@ SignalChain::SignalChain(const DetectorArray& array, std::size_t band, const Det
       flat_{detector.digitiser.flat},
       pattern_{array, band_key(detector.pattern_seed, array, band), rms_of(detector)},
       falloff_{array, falloff_power(detector)},
+      falloff_over_image_{spread_falloff(array, falloff_power(detector))},
       // Apart from the pattern's numbers though the two seeds be alike.
       noise_key_{mix(band_key(noise_seed, array, band), 1)} {}
 
@@ -164,20 +184,33 @@ SignalChain::Pixel SignalChain::pixel(const Published& p, double radiance,
                           rounding_variance * p.radiance_per_dn * p.radiance_per_dn;
   const double z = normal_pair(mix(line_key_, own), mix(line_key_, own + 1)).x;
   const double measured = radiance + std::sqrt(std::max(variance, 0.0)) * z;
-  return {digitised(black_dn_ + measured / p.radiance_per_dn), 0.0, sigma(p, radiance, 1.0)};
+  return {digitised(black_dn_ + measured / p.radiance_per_dn), 0.0, sigma(p, radiance)};
+}
+
+double SignalChain::converted_variance(const Photons& p, double radiance, double falloff) {
+  const double mean = std::max(p.per_radiance * falloff * radiance, 0.0) + p.background + p.dark;
+  const double electrons = mean + p.read * p.read + p.stripe * p.stripe;
+  return electrons * p.dn_per_electron * p.dn_per_electron + rounding_variance;
+}
+
+double SignalChain::second_rounding(const Photons& p, double radiance,
+                                    double falloff) const noexcept {
+  if (!flat_) return 0.0;
+  // The whole number n of the converter moves by d = (n - P)(1 / falloff - 1) and is rounded again.
+  // Near the axis, d < 1/2, that brings n back: an error of d. Where d is of several steps, its
+  // fraction is anything: 1/12. Means over neighbouring pixels, whose d differ.
+  const double moved =
+      p.dn_per_electron * p.per_radiance * std::max(radiance, 0.0) * (1.0 - falloff);
+  return std::min(moved * moved, rounding_variance);
 }
 
 double SignalChain::sigma(const Photons& p, double radiance, double falloff) const {
-  const double mean = std::max(p.per_radiance * falloff * radiance, 0.0) + p.background + p.dark;
-  // Numbers that are made flat are rounded twice, the second time where the signal is full again.
-  const double second = flat_ && falloff != 1.0 ? falloff * falloff : 0.0;
-  const double rounded =
-      rounding_variance * (1.0 + second) / (p.dn_per_electron * p.dn_per_electron);
-  return std::sqrt(mean + p.read * p.read + p.stripe * p.stripe + rounded) /
-         (p.per_radiance * falloff);
+  const double converted = converted_variance(p, radiance, falloff) / (falloff * falloff);
+  return std::sqrt(converted + second_rounding(p, radiance, falloff)) /
+         (p.per_radiance * p.dn_per_electron);
 }
 
-double SignalChain::sigma(const Published& p, double radiance, double /*falloff*/) const {
+double SignalChain::sigma(const Published& p, double radiance) const {
   return std::sqrt(std::max(p.constant + p.slope * std::max(radiance, 0.0),
                             rounding_variance * p.radiance_per_dn * p.radiance_per_dn));
 }
@@ -213,10 +246,13 @@ Calibration SignalChain::calibration() const noexcept {
 }
 
 double SignalChain::noise_equivalent_radiance(double radiance) const noexcept {
-  if (const auto* published = std::get_if<Published>(&element_)) {
-    return sigma(*published, radiance, 1.0);
-  }
-  return sigma(*std::get_if<Photons>(&element_), radiance, 1.0);
+  if (const auto* published = std::get_if<Published>(&element_)) return sigma(*published, radiance);
+  const auto& p = *std::get_if<Photons>(&element_);
+  double second = 0.0;
+  for (const double falloff : falloff_over_image_) second += second_rounding(p, radiance, falloff);
+  if (!falloff_over_image_.empty()) second /= static_cast<double>(falloff_over_image_.size());
+  return std::sqrt(converted_variance(p, radiance, 1.0) + second) /
+         (p.per_radiance * p.dn_per_electron);
 }
 
 double SignalChain::electrons_per_radiance() const noexcept {

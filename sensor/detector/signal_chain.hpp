@@ -37,7 +37,8 @@ class SignalChain {
 
   [[nodiscard]] Calibration calibration() const noexcept;
   /// Standard deviation of the noise that changes from image to image (shot, dark, read, stripes,
-  /// quantisation) at a radiance, on the axis; as radiance.
+  /// quantisation) at a radiance, on the axis; as radiance. What the second rounding of flat
+  /// numbers adds is the mean over the image: nothing on the axis, all of it little beside.
   [[nodiscard]] double noise_equivalent_radiance(double radiance) const noexcept;
   /// Electrons per unit of radiance on the axis; 0 where only noise is published.
   [[nodiscard]] double electrons_per_radiance() const noexcept;
@@ -73,7 +74,13 @@ class SignalChain {
   [[nodiscard]] Pixel pixel(const Photons& photons, double radiance, std::size_t sample) const;
   [[nodiscard]] Pixel pixel(const Published& published, double radiance, std::size_t sample) const;
   [[nodiscard]] double sigma(const Photons& photons, double radiance, double falloff) const;
-  [[nodiscard]] double sigma(const Published& published, double radiance, double falloff) const;
+  [[nodiscard]] double sigma(const Published& published, double radiance) const;
+  /// Variance of the converter's noise, DN^2, before the fall-off is taken out.
+  [[nodiscard]] static double converted_variance(const Photons& photons, double radiance,
+                                                 double falloff);
+  /// Mean square that the second rounding of flat numbers adds, DN^2.
+  [[nodiscard]] double second_rounding(const Photons& photons, double radiance,
+                                       double falloff) const noexcept;
   [[nodiscard]] double digitised(double dn) const noexcept;
   void next_line();
 
@@ -82,6 +89,7 @@ class SignalChain {
   bool flat_ = true;
   FixedPattern pattern_;
   FallOff falloff_;
+  std::vector<double> falloff_over_image_;  ///< at places spread over it; empty: 1 everywhere
   std::uint64_t noise_key_, line_key_ = 0;
   int line_ = -1;        ///< the current one
   double stripe_ = 0.0;  ///< of the current line, electrons

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "core/diagnostics.hpp"
+#include "core/error.hpp"
 #include "sim/files/atomic_file.hpp"
 #include "sim/products/sensor_sheet.hpp"
 #include "sim/run/load_camera.hpp"
@@ -25,6 +28,42 @@ struct SensorOptions {
   std::optional<double> height_m, speed_m_s;
   std::string format = "text", band;
 };
+
+constexpr double largest_height_m = 1e10;  // six times as far as the sun's L1
+constexpr double largest_speed_m_s = 1e6;
+
+/// A finite number above 0 and up to a largest one. (CLI11's own checks let "nan" pass.)
+CLI::Validator up_to(double largest, const std::string& unit) {
+  const std::string range = fmt::format("above 0 and at most {:g} {}", largest, unit);
+  const auto complaint = [largest, range](const std::string& text) -> std::string {
+    double value = 0.0;
+    const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    if (is_number && value > 0.0 && value <= largest) return "";
+    return fmt::format("expected a number {}, found {}", range, text);
+  };
+  return CLI::Validator{complaint, range};
+}
+
+/// Finds out before the work whether there is a folder for the picture.
+void check_plot(const std::filesystem::path& plot) {
+  if (plot.empty()) return;
+  const std::filesystem::path folder = plot.has_parent_path() ? plot.parent_path() : ".";
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw InputError{"--plot " + plot.string() + ": there is no folder " + folder.string()};
+  }
+  if (std::filesystem::is_directory(plot, error)) {
+    throw InputError{"--plot " + plot.string() + ": this is a folder, not a file"};
+  }
+}
+
+void write_plot(const std::filesystem::path& plot, const std::string& picture) {
+  try {
+    write_file(plot, picture);
+  } catch (const std::runtime_error& error) {
+    throw InputError{"--plot: " + std::string{error.what()}};
+  }
+}
 
 SensorSheet preset_sheet(const SensorOptions& options, Diagnostics& diagnostics) {
   InputFiles files;
@@ -53,13 +92,14 @@ SensorSheet scenario_sheet(const SensorOptions& options, Diagnostics& diagnostic
 }
 
 void report_sensor(const SensorOptions& options) {
+  check_plot(options.plot);
   Diagnostics diagnostics;
   const SensorSheet sheet = is_sensor_file(options.file) ? preset_sheet(options, diagnostics)
                                                          : scenario_sheet(options, diagnostics);
   for (const std::string& warning : diagnostics.messages()) {
     fmt::print(stderr, "warning: {}\n", warning);
   }
-  if (!options.plot.empty()) write_file(options.plot, to_svg(mtf_plot(sheet, options.band)));
+  if (!options.plot.empty()) write_plot(options.plot, to_svg(mtf_plot(sheet, options.band)));
   fmt::print("{}", options.format == "json" ? sheet_json(sheet) : sheet_text(sheet));
 }
 
@@ -74,12 +114,12 @@ void add_sensor_command(CLI::App& app) {
       ->add_option("--height", options->height_m,
                    "Height of the camera over the ground [m; the sensor's nominal one, or over the "
                    "scene's origin]")
-      ->check(CLI::PositiveNumber);
+      ->check(up_to(largest_height_m, "m"));
   command
       ->add_option("--speed", options->speed_m_s,
                    "Speed of the ground under a camera that stands still [m/s; the sensor's "
                    "nominal one, else lines of a pushbroom fit it]")
-      ->check(CLI::PositiveNumber);
+      ->check(up_to(largest_speed_m_s, "m/s"));
   command->add_option("--format", options->format, "text or json [text]")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_option("--plot", options->plot, "Write the curves of the MTF as a picture (SVG)");

@@ -1,5 +1,6 @@
 #include "sim/files/tle_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -186,24 +187,41 @@ bool is_satellite(const ElementSet& set, const std::string& satellite) {
          catalogue_number(set.first.text.substr(2, 5)) == wanted;
 }
 
+/// `the file has 25544 "ISS (ZARYA)", 5, and 3 more`.
+std::string satellites_in(const std::vector<ElementSet>& sets) {
+  constexpr std::size_t most = 8;
+  std::string text = "the file has ";
+  for (std::size_t i = 0; i < std::min(sets.size(), most); ++i) {
+    if (i > 0) text += ", ";
+    text += without_blanks(sets[i].first.text.substr(2, 5));
+    if (!sets[i].name.empty()) text += " " + in_quotes(sets[i].name);
+  }
+  return sets.size() > most ? text + ", and " + std::to_string(sets.size() - most) + " more" : text;
+}
+
 std::string hint_for(const std::vector<ElementSet>& sets, const std::string& satellite) {
   std::vector<std::string> names;
   for (const ElementSet& set : sets) {
     if (!set.name.empty()) names.emplace_back(set.name);
   }
   const std::string nearest = nearest_name(satellite, names);
-  return nearest.empty() ? "" : "did you mean " + in_quotes(nearest) + "?";
+  return nearest.empty() ? satellites_in(sets) : "did you mean " + in_quotes(nearest) + "?";
 }
 
 const ElementSet& chosen_set(const std::vector<ElementSet>& sets, const std::string& file,
                              const std::string& satellite) {
-  const auto refuse = [&](std::string message, std::string hint = {}) {
-    throw InputError{InputIssue{{file, 0, 0}, std::move(message), std::move(hint), {}}};
+  const auto refuse = [&](std::string message) {
+    throw InputError{InputIssue{{file, 0, 0}, std::move(message), {}, {}}};
   };
   if (sets.empty()) refuse("there is no two-line element set in the file");
+  // What was asked for is wrong, not the file: whoever asked knows where that stands.
+  const auto refuse_wish = [](std::string message, std::string hint) {
+    throw InputError{InputIssue{{}, std::move(message), std::move(hint), {}}};
+  };
   if (satellite.empty() && sets.size() > 1) {
-    refuse("the file has " + std::to_string(sets.size()) +
-           " element sets: say which by its name or catalogue number");
+    refuse_wish(file + " has " + std::to_string(sets.size()) +
+                    " element sets: say which by its name or catalogue number",
+                satellites_in(sets));
   }
   if (satellite.empty()) return sets.front();
   const ElementSet* found = nullptr;
@@ -217,8 +235,8 @@ const ElementSet& chosen_set(const std::vector<ElementSet>& sets, const std::str
     found = &set;
   }
   if (!found) {
-    refuse("there is no satellite " + in_quotes(satellite) + " in the file",
-           hint_for(sets, satellite));
+    refuse_wish("there is no satellite " + in_quotes(satellite) + " in " + file,
+                hint_for(sets, satellite));
   }
   return *found;
 }

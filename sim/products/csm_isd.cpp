@@ -33,12 +33,40 @@ std::string hindrance(const sensor::DetectorArray& array, const sensor::Platform
   if (!std::holds_alternative<sensor::Perspective>(array.projection)) {
     return "its lines of sight come from a table";
   }
-  if (!array.modules.empty()) return "it is made of modules";
   if (std::holds_alternative<sensor::Whiskbroom>(array.timing.scan)) return "it is a whiskbroom";
   if (std::holds_alternative<sensor::RollingShutter>(array.timing.scan) && !platform.is_fixed()) {
     return "its rolling shutter moves";
   }
   return {};
+}
+
+/// A part of the image that one model can say: all of it, or what a module shows. A module that is
+/// not turned is an array of its own offset from the axis; samples count in the whole array.
+struct Part {
+  sensor::DetectorArray array;
+  int first_sample = 0, samples = 0;
+  std::string name;  ///< in file names and identifiers
+};
+
+Part part_of(const sensor::DetectorArray& array, std::size_t module) {
+  Part part{array, 0, array.samples, {}};
+  if (array.modules.empty()) return part;
+  const sensor::Module& cut = array.modules.at(module);
+  part.array.modules.clear();
+  part.array.offset_x_m += cut.offset_x_m;
+  part.array.offset_y_m += cut.offset_y_m;
+  part.first_sample = cut.first_sample;
+  part.samples = cut.samples;
+  part.name = fmt::format("_module{}", module + 1);
+  return part;
+}
+
+std::size_t part_count(const sensor::DetectorArray& array) {
+  return std::max<std::size_t>(array.modules.size(), 1);
+}
+
+bool is_turned(const sensor::DetectorArray& array, std::size_t module) {
+  return !array.modules.empty() && array.modules.at(module).rotation_rad != 0.0;
 }
 
 /// Seconds of terrestrial time since J2000: ephemeris time but for its yearly 2 ms.
@@ -141,7 +169,8 @@ Json sun_json(const ProductGeometry& geometry, const Clock& clock) {
 }
 
 /// What both models have: the camera's inside.
-void add_interior(Json& json, const sensor::DetectorArray& array, const BandFigures& band) {
+void add_interior(Json& json, const Part& part, const BandFigures& band) {
+  const sensor::DetectorArray& array = part.array;
   const auto& lens = std::get<sensor::Perspective>(array.projection);
   const double width_mm = array.pitch_m * mm_per_m, height_mm = array.height_m() * mm_per_m;
   const bool broom = std::holds_alternative<sensor::Pushbroom>(array.timing.scan);
@@ -157,23 +186,23 @@ void add_interior(Json& json, const sensor::DetectorArray& array, const BandFigu
   const sensor::Distortion& d = lens.distortion;
   json["optical_distortion"]["radtan"]["coefficients"] = {d.k1, d.k2, d.p1, d.p2, d.k3};
   json["starting_detector_line"] = 0;
-  json["starting_detector_sample"] = 0;
+  json["starting_detector_sample"] = part.first_sample;
   json["naif_keywords"] = Json::object();
   json["band_name"] = band.name;
   json["band_center_um"] = band.centre_um;
   json["band_fwhm_um"] = band.fwhm_um;
 }
 
-void add_heading(Json& json, const GeoTask& task, const BandFigures& band) {
+void add_heading(Json& json, const GeoTask& task, const Part& part, const BandFigures& band) {
   const Camera& camera = *task.geometry->camera;
   const auto named = [](const std::string& name, const char* otherwise) {
     return name.empty() ? std::string{otherwise} : name;
   };
   json["isis_camera_version"] = 1;
   json["image_identifier"] =
-      fmt::format("{}_{}_{}", task.context->scenario_name, task.array->name, band.name);
-  json["image_lines"] = task.array->lines;
-  json["image_samples"] = task.array->samples;
+      fmt::format("{}_{}_{}{}", task.context->scenario_name, part.array.name, band.name, part.name);
+  json["image_lines"] = part.array.lines;
+  json["image_samples"] = part.samples;
   json["name_platform"] = named(camera.platform_name, "nadir platform");
   json["name_sensor"] = named(camera.instrument_name, "nadir camera");
   const double height_m = task.geometry->mean_height_m;
@@ -232,12 +261,18 @@ struct Isd {
   double error_px = 0.0;
 };
 
-Isd isd_of(const GeoTask& task, std::size_t band) {
-  const std::string reason = hindrance(*task.array, task.geometry->camera->platform);
+Isd isd_of(const GeoTask& whole, std::size_t band, std::size_t module) {
+  const std::string reason = hindrance(*whole.array, whole.geometry->camera->platform);
   if (!reason.empty()) throw InputError{"no CSM image support data: " + reason};
-  const BandFigures figures = band_figures(*task.array).at(band);
+  if (is_turned(*whole.array, module)) {
+    throw InputError{"no CSM image support data: the module is turned"};
+  }
+  const Part part = part_of(*whole.array, module);
+  GeoTask task = whole;
+  task.array = &part.array;
+  const BandFigures figures = band_figures(part.array).at(band);
   Isd isd;
-  add_heading(isd.json, task, figures);
+  add_heading(isd.json, task, part, figures);
   const auto* broom = std::get_if<sensor::Pushbroom>(&task.array->timing.scan);
   const Poses poses =
       broom != nullptr ? add_line_times(isd.json, task, *broom) : add_frame_times(isd.json, task);
@@ -245,7 +280,7 @@ Isd isd_of(const GeoTask& task, std::size_t band) {
   const std::vector<double> times = times_of(poses.table, poses.clock);
   isd.json["body_rotation"] = no_rotation_json(times);
   isd.json["instrument_pointing"] = pointing_json(poses.table, times);
-  add_interior(isd.json, *task.array, figures);
+  add_interior(isd.json, part, figures);
   isd.json["instrument_position"] = position_json(poses.table, times);
   isd.json["sun_position"] = sun_json(*task.geometry, poses.clock);
   return isd;
@@ -255,7 +290,9 @@ std::string text_of(const Isd& isd) { return isd.json.dump(2) + "\n"; }
 
 }  // namespace
 
-std::string csm_isd(const GeoTask& task, std::size_t band) { return text_of(isd_of(task, band)); }
+std::string csm_isd(const GeoTask& task, std::size_t band, std::size_t module) {
+  return text_of(isd_of(task, band, module));
+}
 
 std::vector<ProductFile> write_csm_isds(const GeoTask& task) {
   const std::string reason = hindrance(*task.array, task.geometry->camera->platform);
@@ -264,16 +301,25 @@ std::vector<ProductFile> write_csm_isds(const GeoTask& task) {
     return {};
   }
   std::vector<ProductFile> written;
-  for (std::size_t band = 0; band < task.array->bands.size(); ++band) {
-    const auto file =
-        task.with("_" + product_file_name(task.array->bands[band].name) + "_isd.json");
-    const Isd isd = isd_of(task, band);
-    write_file(file, text_of(isd));
-    written.push_back(task.record("CSM ISD", file));
-    if (isd.error_px > 1e-3 && band == 0) {
-      task.warn(fmt::format("its motion is too rough for the CSM's table of poses: {:.2g} pixels",
-                            isd.error_px));
+  double error_px = 0.0;
+  for (std::size_t module = 0; module < part_count(*task.array); ++module) {
+    if (is_turned(*task.array, module)) {
+      task.warn(fmt::format("no CSM image support data: its module {} is turned", module + 1));
+      continue;
     }
+    const std::string part = part_of(*task.array, module).name;
+    for (std::size_t band = 0; band < task.array->bands.size(); ++band) {
+      const std::string name = product_file_name(task.array->bands[band].name);
+      const auto file = task.with("_" + name + part + "_isd.json");
+      const Isd isd = isd_of(task, band, module);
+      write_file(file, text_of(isd));
+      written.push_back(task.record("CSM ISD", file));
+      error_px = std::max(error_px, isd.error_px);
+    }
+  }
+  if (error_px > 1e-3) {
+    task.warn(fmt::format("its motion is too rough for the CSM's table of poses: {:.2g} pixels",
+                          error_px));
   }
   return written;
 }

@@ -138,7 +138,57 @@ std::vector<RpcPoint> space_points(const GeoTask& task, HeightRange range, GridS
   return points;
 }
 
+/// The largest jump of the line of sight from sample to sample where modules meet.
+double stagger_px(const sensor::DetectorArray& array) {
+  const auto turned_px = [](const sensor::Module& m) {
+    return 0.5 * m.samples * std::abs(std::sin(m.rotation_rad));
+  };
+  double largest = 0.0;
+  for (std::size_t i = 1; i < array.modules.size(); ++i) {
+    const sensor::Module &a = array.modules[i - 1], &b = array.modules[i];
+    const double apart_px = std::hypot((b.offset_x_m - a.offset_x_m) / array.pitch_m,
+                                       (b.offset_y_m - a.offset_y_m) / array.height_m());
+    largest = std::max(largest, apart_px + turned_px(a) + turned_px(b));
+  }
+  return largest;
+}
+
+/// The points' places for GDAL. Longitudes run on across the date line: readers interpolate.
+std::vector<ControlPoint> control_points(const std::vector<GroundPoint>& points) {
+  std::vector<ControlPoint> control;
+  const double first = points.front().geodetic.longitude_deg;
+  for (const GroundPoint& point : points) {
+    geometry::Geodetic place = point.geodetic;
+    // As it is where nothing is to be done: the sum would round.
+    const double turns = std::round((place.longitude_deg - first) / 360.0);
+    if (turns != 0.0) place.longitude_deg -= 360.0 * turns;
+    control.push_back({{point.image.sample, point.image.line}, place});
+  }
+  return control;
+}
+
+void add_polynomials(const GeoTask& task, HeightRange range, Georeference& found) {
+  const std::vector<RpcPoint> points = space_points(task, range, {12, 12}, false);
+  found.rpc = fit_rpc(points, space_points(task, range, {11, 11}, true));
+  if (!found.rpc) {
+    task.warn(points.size() < least_rpc_points
+                  ? "no rational polynomials: too few lines of sight meet the earth"
+                  : "no rational polynomials: all that fit have poles within the image");
+  } else if (found.rpc->largest_px > most_rpc_residual_px) {
+    task.warn(fmt::format("no rational polynomials: they would be off by up to {:.2g} pixels",
+                          found.rpc->largest_px));
+    found.rpc.reset();
+  }
+}
+
 void place_by_points(const GeoTask& task, Georeference& found) {
+  if (const double jump_px = stagger_px(*task.array); jump_px > most_rpc_residual_px) {
+    task.warn(fmt::format("its GeoTIFF is not georeferenced: from module to module the image jumps "
+                          "by up to {:.3g} pixels, which neither control points nor rational "
+                          "polynomials can say; NetCDF holds every pixel's place",
+                          jump_px));
+    return;
+  }
   std::vector<GroundPoint> points;
   for (const auto& image : image_grid(*task.array, {9, 9})) {
     if (const auto point = ground_at(*task.geometry, *task.array, image)) points.push_back(*point);
@@ -147,17 +197,8 @@ void place_by_points(const GeoTask& task, Georeference& found) {
     task.warn("too little of the earth in view to georeference the image");
     return;
   }
-  for (const GroundPoint& point : points) {
-    found.control.push_back({{point.image.sample, point.image.line}, point.geodetic});
-  }
-  const HeightRange range = heights_for(task, points);
-  found.rpc = fit_rpc(space_points(task, range, {12, 12}, false),
-                      space_points(task, range, {11, 11}, true));
-  if (found.rpc && found.rpc->largest_px > most_rpc_residual_px) {
-    task.warn(fmt::format("no rational polynomials: they would be off by up to {:.2g} pixels",
-                          found.rpc->largest_px));
-    found.rpc.reset();
-  }
+  found.control = control_points(points);
+  add_polynomials(task, heights_for(task, points), found);
 }
 
 std::string in_imagery_form(const ephemeris::Instant& time) {

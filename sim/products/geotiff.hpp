@@ -25,7 +25,7 @@ inline constexpr double most_rpc_residual_px = 0.5;
 
 /// A map where the camera is orthographic and looks straight down: UTM if a geotransform is good
 /// for it, else the orthographic projection about the scene's site. Everything else gets control
-/// points and polynomials.
+/// points and polynomials, but for arrays whose modules are staggered: those get a warning.
 [[nodiscard]] Georeference georeference(const GeoTask& task);
 /// The same without points and polynomials.
 [[nodiscard]] Georeference map_of(const GeoTask& task);

@@ -17,7 +17,8 @@ constexpr double equatorial_radius_m = 6378137.0;  // WGS84
 constexpr double polar_radius_m = 6356752.314245;
 
 /// Distance along a line to the ellipsoid whose half axes are longer by a height: within a few
-/// centimetres of where that height is, for heights of kilometres.
+/// centimetres of where that height is, for heights of kilometres. From below that height only
+/// lines that rise come to it: the others end in the ground before the far side of the earth.
 std::optional<double> nearly(Vec3 from_ecef, Vec3 towards_ecef, double height_m) {
   const double a = equatorial_radius_m + height_m, b = polar_radius_m + height_m;
   const Vec3 o{from_ecef.x / a, from_ecef.y / a, from_ecef.z / b};
@@ -28,7 +29,7 @@ std::optional<double> nearly(Vec3 from_ecef, Vec3 towards_ecef, double height_m)
   const double root = std::sqrt(root2);
   const double near = (-od - root) / dd, far = (-od + root) / dd;
   if (near > 0.0) return near;
-  if (far > 0.0) return far;
+  if (far > 0.0 && od > 0.0) return far;
   return std::nullopt;
 }
 
@@ -65,7 +66,9 @@ std::optional<Vec3> at_height(const geometry::LocalFrame& frame, const geometry:
     if (std::abs(rise) < 1e-6) return std::nullopt;  // grazes it
     const double step = (height_m - there.height_m) / rise;
     place += step * ray.direction;
-    if (std::abs(step) < 1e-6) return place;
+    if (std::abs(step) >= 1e-6) continue;
+    if (dot(place - ray.origin, ray.direction) < 0.0) return std::nullopt;  // behind the camera
+    return place;
   }
   return std::nullopt;
 }

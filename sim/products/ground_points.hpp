@@ -20,7 +20,7 @@ struct GroundPoint {
 };
 
 /// Where a line of sight first comes to a height above the ellipsoid, within a micrometre; none
-/// where it does not.
+/// where it does not, or only beyond the earth: lines that go down from below that height.
 [[nodiscard]] std::optional<Vec3> at_height(const geometry::LocalFrame& frame,
                                             const geometry::Ray& ray, double height_m);
 

@@ -144,7 +144,7 @@ Vec2 image_of(const Rpc& rpc, const geometry::Geodetic& place) {
 
 std::optional<RpcFit> fit_rpc(const std::vector<RpcPoint>& points,
                               const std::vector<RpcPoint>& checks) {
-  if (points.size() < 100 || checks.empty()) return std::nullopt;
+  if (points.size() < least_rpc_points || checks.empty()) return std::nullopt;
   const Rpc rpc = normalised_over(points);
   std::vector<RpcFit> fits;
   for (const double regularisation : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -42,11 +43,14 @@ struct RpcFit {
   double rms_px = 0.0, largest_px = 0.0;  ///< distance between fit and `checks`
 };
 
+/// What 78 coefficients want at least.
+inline constexpr std::size_t least_rpc_points = 100;
+
 /// Fits the 78 coefficients to points that fill the image and a range of heights: least squares,
 /// weighted anew with the denominator that the last turn found (Tao and Hu, "A comprehensive study
 /// of the rational function model", PE&RS 67, 1347, 2001), and of the regularisations that serve
 /// about as well the strongest, so that terms which the view does not need stay small.
-/// @param points  at least 100
+/// @param points  at least `least_rpc_points`
 /// @param checks  other points of the same view, which judge the fit
 /// @return        none where no fit has denominators clear of zero, or points are too few
 [[nodiscard]] std::optional<RpcFit> fit_rpc(const std::vector<RpcPoint>& points,

@@ -50,12 +50,25 @@ struct MiddleView {
   double gsd_m = 0.0;  ///< geometric mean of a pixel's sides, along the ground
 };
 
-/// How far apart neighbouring lines of sight meet the ground.
+/// How far apart neighbouring lines of sight of an array meet the ground.
 double pixel_side_m(const GeoTask& task, sensor::ImagePoint from, sensor::ImagePoint to,
                     double height_m) {
   const auto a = ground_at(*task.geometry, *task.array, from, height_m);
   const auto b = ground_at(*task.geometry, *task.array, to, height_m);
   return a && b ? length(a->place - b->place) : 0.0;
+}
+
+/// Geometric mean of a pixel's sides about a place of the image.
+double ground_sampling_m(const GeoTask& task, sensor::ImagePoint m, double height_m) {
+  sensor::DetectorArray even = *task.array;
+  even.modules.clear();  // their stagger would count as ground between two samples
+  GeoTask plain = task;
+  plain.array = &even;
+  const double width =
+      pixel_side_m(plain, {m.sample - 0.5, m.line}, {m.sample + 0.5, m.line}, height_m);
+  const double height =
+      pixel_side_m(plain, {m.sample, m.line - 0.5}, {m.sample, m.line + 0.5}, height_m);
+  return std::sqrt(width * height);
 }
 
 std::optional<MiddleView> middle_view(const GeoTask& task) {
@@ -69,14 +82,10 @@ std::optional<MiddleView> middle_view(const GeoTask& task) {
   const Vec3 back = at_ground * -view.ray.direction;
   // STAC counts the azimuth from the point below the platform to the scene.
   const Vec3 ahead = at_camera * view.ray.direction;
-  const double h = ground->geodetic.height_m;
-  const double width =
-      pixel_side_m(task, {middle.sample - 0.5, middle.line}, {middle.sample + 0.5, middle.line}, h);
-  const double height =
-      pixel_side_m(task, {middle.sample, middle.line - 0.5}, {middle.sample, middle.line + 0.5}, h);
   return MiddleView{*ground, std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * degrees_per_radian,
                     std::acos(std::clamp(back.z, -1.0, 1.0)) * degrees_per_radian,
-                    azimuth_deg(ahead), std::sqrt(width * height)};
+                    azimuth_deg(ahead),
+                    ground_sampling_m(task, middle, ground->geodetic.height_m)};
 }
 
 struct Outline {

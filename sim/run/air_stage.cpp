@@ -104,23 +104,46 @@ Micrometres mean_wavelength(const std::vector<sensor::DetectorArray>& arrays) {
   return Micrometres{sum / count};
 }
 
+/// The bending of the camera's rays and what it does: none where the scenario does not ask for it.
+struct BendingShift {
+  RayBending bending;
+  double pixels = 0.0;  ///< the worst of all arrays
+  [[nodiscard]] bool noticeable() const { return pixels >= 0.1; }
+};
+
+std::optional<BendingShift> bending_shift(const World& world) {
+  if (!world.air || !world.air->layered || !world.air->layered->refraction) return std::nullopt;
+  const atmosphere::Layered& air = world.air->layered->air;
+  BendingShift shift{{atmosphere::Refractivity{air.profile, mean_wavelength(world.camera.arrays)},
+                      air.ground_height_m}};
+  for (const sensor::DetectorArray& array : world.camera.arrays) {
+    shift.pixels = std::max(shift.pixels, bending_in_pixels(world.scene.geometry, shift.bending,
+                                                            array, world.camera.platform));
+  }
+  return shift;
+}
+
+/// Geolocation has no air: what it says is off from what the image shows.
+void warn_of_bending(const World& world, Diagnostics& diagnostics) {
+  const std::optional<BendingShift> shift = bending_shift(world);
+  if (!shift || !shift->noticeable()) return;
+  warn_at(world.air->where,
+          fmt::format("refraction bends the camera's rays: the image and its truth show it, but "
+                      "what places the image on the earth (GeoTIFF, NetCDF, sidecars, nadir "
+                      "project) holds straight lines of sight, up to {:.2g} pixels off",
+                      shift->pixels),
+          diagnostics);
+}
+
 }  // namespace
 
 std::optional<RayBending> camera_bending(const World& world, ReportValues& report) {
-  if (!world.air || !world.air->layered || !world.air->layered->refraction) return std::nullopt;
-  constexpr double noticeable_pixels = 0.1;
-  const atmosphere::Layered& air = world.air->layered->air;
-  RayBending bending{atmosphere::Refractivity{air.profile, mean_wavelength(world.camera.arrays)},
-                     air.ground_height_m};
-  double worst = 0.0;
-  for (const sensor::DetectorArray& array : world.camera.arrays) {
-    worst = std::max(
-        worst, bending_in_pixels(world.scene.geometry, bending, array, world.camera.platform));
-  }
-  report.emplace_back("refraction_shift_pixels", worst);
-  report.emplace_back("rays_bend", worst >= noticeable_pixels);
-  if (worst < noticeable_pixels) return std::nullopt;
-  return bending;
+  const std::optional<BendingShift> shift = bending_shift(world);
+  if (!shift) return std::nullopt;
+  report.emplace_back("refraction_shift_pixels", shift->pixels);
+  report.emplace_back("rays_bend", shift->noticeable());
+  if (!shift->noticeable()) return std::nullopt;
+  return shift->bending;
 }
 
 ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics& diagnostics,
@@ -138,6 +161,7 @@ ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics
     }
     describe_table(*table, values);
     warn_of_error(*table, task.where, diagnostics);
+    warn_of_bending(world, diagnostics);
     const CameraPlan plan = plan_camera(world.camera.arrays, sampling.wavelengths_per_band);
     auto ground =
         ground_light(world.scene, task.ground, ground_wavelengths(*table, plan), diagnostics);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,16 +65,18 @@ void check_turns(const AttitudeFile& file, const std::vector<Quaternion>& orient
   }
 }
 
-void check_row_gaps(const AttitudeFile& file, double max_gap_s, const PlatformTask& task) {
-  for (std::size_t i = 1; i < file.times_s.size(); ++i) {
-    const double begin = file.times_s[i - 1], end = file.times_s[i];
-    const bool looks = begin < task.span.last_s && end > task.span.first_s;
-    if (!looks || end - begin <= max_gap_s) continue;
-    throw InputError{fmt::format(
-        "attitude gap: the camera looks between {:.9g} s and {:.9g} s, where no row stands for "
-        "{:.9g} s; max_gap_s is {:.9g}",
-        begin, end, end - begin, max_gap_s)};
-  }
+void check_row_gaps(const AttitudeFile& file, std::optional<double> max_gap_s,
+                    const PlatformTask& task) {
+  const std::optional<double> longest_s = longest_step_s(file.times_s, max_gap_s);
+  if (!longest_s || file.times_s.size() < 2) return;
+  const auto gap = gap_of(file.times_s, 2, *longest_s, task.span);
+  if (!gap) return;
+  throw InputError{fmt::format(
+      "attitude gap: the camera looks between {:.9g} s and {:.9g} s, where no row stands for "
+      "{:.9g} s; {} {:.9g}",
+      gap->begin_s, gap->end_s, gap->length_s(),
+      max_gap_s ? "max_gap_s is" : "without max_gap_s the limit is five times the median step,",
+      *longest_s)};
 }
 
 sensor::Attitude load_attitude_table(const AttitudeTableInput& input, const PlatformTask& task) {
@@ -84,7 +87,7 @@ sensor::Attitude load_attitude_table(const AttitudeTableInput& input, const Plat
     throw InputError{"attitude gap: " +
                      open_message(input.file.filename().string(), covered, task)};
   }
-  if (input.max_gap_s) check_row_gaps(file, *input.max_gap_s, task);
+  check_row_gaps(file, input.max_gap_s, task);
   std::vector<Quaternion> turned = orientations_of(file, input.reference, task.frame);
   check_turns(file, turned, input.file.string());
   return sensor::checked(

@@ -227,7 +227,9 @@ CameraArrays load_arrays(const CameraInput& camera, InputFiles& files, ErrorList
       at_part(input.where, "array " + input.name, [&] {
         if (input.view_table) array.projection = load_views(input, files);
         sensor::check(array);
-        if (bands) array.spread = load_spread(input.blur, array.bands, files);
+        if (!bands) return;
+        array.spread = load_spread(input.blur, array.bands, files);
+        check_electronics(input, array, electronics);
       });
     });
     loaded.arrays.push_back(std::move(array));

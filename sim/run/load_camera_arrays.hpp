@@ -27,6 +27,12 @@ struct CameraArrays {
                                                const sensor::DetectorArray& array,
                                                const spectral::Response& response);
 
+/// Checks that light can be counted: a dark current that fills the well, or no exposure at all.
+/// @param electronics  of all the array's bands
+/// @throws InputError at the detector
+void check_electronics(const ArrayInput& input, const sensor::DetectorArray& array,
+                       const std::vector<BandElectronics>& electronics);
+
 /// All moments that arrays can ask for. @param arrays  one at least
 [[nodiscard]] sensor::TimeSpan span_of(const std::vector<sensor::DetectorArray>& arrays);
 

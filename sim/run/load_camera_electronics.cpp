@@ -1,5 +1,6 @@
 #include "sensor/detector/checks.hpp"
 #include "sensor/detector/photon_yield.hpp"
+#include "sensor/detector/signal_chain.hpp"
 #include "sim/run/load_camera_arrays.hpp"
 
 namespace nadir::sim {
@@ -82,6 +83,25 @@ BandElectronics load_electronics(const ArrayInput& input, const BandInput& band,
   sensor::check(detector);
   electronics.detector = detector;
   return electronics;
+}
+
+void check_electronics(const ArrayInput& input, const sensor::DetectorArray& array,
+                       const std::vector<BandElectronics>& electronics) {
+  ErrorList errors;
+  for (std::size_t band = 0; band < electronics.size(); ++band) {
+    if (!electronics[band].detector) continue;
+    errors.attempt("detector of band " + array.bands[band].name + " of array " + array.name, {},
+                   [&] {
+                     // What it folds together says whether it can be; any seed does.
+                     static_cast<void>(
+                         sensor::SignalChain{array, band, *electronics[band].detector, 0});
+                   });
+  }
+  try {
+    errors.throw_if_any();
+  } catch (const InputError& error) {
+    throw error.located(input.detector->where, {});
+  }
 }
 
 }  // namespace nadir::sim

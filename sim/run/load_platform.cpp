@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "sim/files/jitter_file.hpp"
 #include "sim/run/load_air.hpp"
@@ -68,20 +71,50 @@ std::optional<Vec3> terrain_at(const TerrainProbe& terrain, Vec3 place) {
   }
 }
 
-void check_above_ground(const sensor::Platform& platform, const PlatformTask& task) {
-  constexpr double rounding_m = 1e-3;  // of heights that went through the earth's centre
-  const double first = task.span.first_s, last = task.span.last_s;
-  for (const double time_s : {first, 0.5 * (first + last), last}) {
-    const Vec3 camera = platform.steady(time_s).position;
-    const auto ground = terrain_at(task.terrain, camera);
-    if (!ground || camera.z >= ground->z - rounding_m) continue;
-    const std::string when = task.input().stands_still()
-                                 ? std::string{}
-                                 : fmt::format(" {:.9g} s after the scenario's time", time_s);
-    refuse_at(task.input().position_where,
-              fmt::format("camera under ground: it lies {:.3f} m below the terrain{}",
-                          ground->z - camera.z, when));
+/// A camera, and the moments of the way that it goes.
+struct LoadedPlatform {
+  sensor::Platform platform;
+  std::vector<double> way_times_s{};  ///< none where it stands still
+};
+
+/// Moments at which to look where the camera is: evenly over the span, as ground may rise between
+/// two distant places of a way, and those of the way itself. Some 2000 at most, 1 us each.
+std::vector<double> moments_of(const LoadedPlatform& loaded, const sensor::TimeSpan& span) {
+  constexpr std::size_t most = 1000;
+  std::vector<double> moments{span.first_s, span.last_s};
+  if (loaded.way_times_s.size() < 2) return moments;
+  for (std::size_t i = 1; i < most; ++i) {
+    moments.push_back(span.first_s + (span.last_s - span.first_s) * static_cast<double>(i) / most);
   }
+  const auto begin =
+      std::lower_bound(loaded.way_times_s.begin(), loaded.way_times_s.end(), span.first_s);
+  const auto end = std::upper_bound(begin, loaded.way_times_s.end(), span.last_s);
+  const auto inside = static_cast<std::size_t>(end - begin);
+  const std::size_t step = 1 + inside / most;
+  for (std::size_t i = 0; i < inside; i += step) {
+    moments.push_back(begin[static_cast<std::ptrdiff_t>(i)]);
+  }
+  return moments;
+}
+
+/// The deepest of the places that were looked at is told.
+void check_above_ground(const LoadedPlatform& loaded, const PlatformTask& task) {
+  constexpr double rounding_m = 1e-3;  // of heights that went through the earth's centre
+  double deepest_m = rounding_m, when_s = 0.0;
+  for (const double time_s : moments_of(loaded, task.span)) {
+    const Vec3 camera = loaded.platform.steady(time_s).position;
+    const auto ground = terrain_at(task.terrain, camera);
+    if (!ground || ground->z - camera.z <= deepest_m) continue;
+    deepest_m = ground->z - camera.z;
+    when_s = time_s;
+  }
+  if (deepest_m == rounding_m) return;
+  const std::string when = task.input().stands_still()
+                               ? std::string{}
+                               : fmt::format(" {:.9g} s after the scenario's time", when_s);
+  refuse_at(
+      task.input().position_where,
+      fmt::format("camera under ground: it lies {:.3f} m below the terrain{}", deepest_m, when));
 }
 
 /// A camera at a place, aimed and left alone.
@@ -90,16 +123,19 @@ bool is_plain(const PlatformInput& platform) {
          platform.mounts.empty();
 }
 
-sensor::Platform platform_of(const PlatformTask& task) {
+LoadedPlatform platform_of(const PlatformTask& task) {
   const PlatformInput& input = task.input();
   if (is_plain(input)) {
     const Vec3 position = load_track(task).at(0.0).position;
     return at_element(input.attitude_where,
-                      [&] { return sensor::Platform{still_pose(task, position)}; });
+                      [&] { return LoadedPlatform{sensor::Platform{still_pose(task, position)}}; });
   }
   const sensor::PlatformDescription description = description_of(task);
   return at_element(input.where, [&] {
-    return sensor::Platform{description, task.frame, task.span.first_s, task.span.last_s};
+    LoadedPlatform loaded{
+        sensor::Platform{description, task.frame, task.span.first_s, task.span.last_s}};
+    if (!description.track.is_fixed()) loaded.way_times_s = description.track.times_s();
+    return loaded;
   });
 }
 
@@ -116,9 +152,9 @@ sensor::Platform load_platform(const Scenario& scenario, const geometry::LocalFr
                                const TerrainProbe& terrain, InputFiles& files,
                                sensor::TimeSpan span) {
   const PlatformTask task{scenario, frame, terrain, files, span};
-  const sensor::Platform platform = platform_of(task);
-  check_above_ground(platform, task);
-  return platform;
+  LoadedPlatform loaded = platform_of(task);
+  check_above_ground(loaded, task);
+  return std::move(loaded.platform);
 }
 
 }  // namespace nadir::sim

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -43,6 +44,10 @@ class TrackLoader {
   sensor::Track operator()(const WaypointsInput& input) const {
     const TrackFile file = read_track_file(task_.files.note(input.file), task_.scenario.time);
     require({file.times_s.front(), file.times_s.back()}, input.file);
+    // Straight pieces are sparse on purpose.
+    check_steps(file.times_s, input.straight ? 2 : most_points,
+                input.straight ? input.max_gap_s : longest_step_s(file.times_s, input.max_gap_s),
+                input.file);
     std::vector<Vec3> positions;
     for (const Vec3& point : file.points) positions.push_back(position(file.axes, point));
     return {file.times_s, std::move(positions), input.straight ? 2 : most_points};
@@ -74,6 +79,7 @@ class TrackLoader {
       positions.push_back(task_.frame.enu_from_ecef(point.ecef.position));
     }
     require({times_s.at(message.first_useable), times_s.at(message.last_useable)}, input.file);
+    check_steps(times_s, most_points, longest_step_s(times_s, input.max_gap_s), input.file);
     return {std::move(times_s), std::move(positions), most_points};
   }
 
@@ -104,6 +110,20 @@ class TrackLoader {
     if (!leaves_open(covered, task_)) return;
     throw InputError{"time outside the trajectory: " +
                      open_message(file.filename().string(), covered, task_)};
+  }
+  void check_steps(const std::vector<double>& times_s, int points, std::optional<double> longest_s,
+                   const std::filesystem::path& file) const {
+    if (!longest_s) return;
+    const auto gap = gap_of(times_s, points, *longest_s, task_.span);
+    if (!gap) return;
+    throw InputError{InputIssue{
+        {},
+        fmt::format("gap in the trajectory: {} has no place for {:.9g} s, from {:.9g} s to {:.9g} "
+                    "s after the scenario's time; at most {:.9g} s may lie between two places",
+                    file.filename().string(), gap->length_s(), gap->begin_s, gap->end_s,
+                    *longest_s),
+        "max_gap_s says how long it may be; unless it does, five times the median step",
+        {}}};
   }
 
   const PlatformTask& task_;
@@ -142,6 +162,41 @@ std::string open_message(const std::string& file, const sensor::TimeSpan& covere
       "s "
       "to {:.9g} s",
       task.span.first_s, task.span.last_s, file, covered.first_s, covered.last_s);
+}
+
+std::optional<double> longest_step_s(const std::vector<double>& times_s,
+                                     std::optional<double> max_gap_s) {
+  constexpr std::size_t fewest = 8;
+  constexpr double usual_steps = 5.0;
+  if (max_gap_s || times_s.size() < fewest) return max_gap_s;
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < times_s.size(); ++i) steps_s.push_back(times_s[i] - times_s[i - 1]);
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  return usual_steps * *middle;
+}
+
+std::optional<TableStep> gap_of(const std::vector<double>& times_s, int points, double longest_s,
+                                const sensor::TimeSpan& span) {
+  constexpr double rounding_s = 1e-9;  // of times that went through a calendar
+  const auto rows = static_cast<std::ptrdiff_t>(times_s.size());
+  const std::ptrdiff_t used = std::min<std::ptrdiff_t>(points, rows);
+  const auto row = [&](auto found) { return found - times_s.begin() - 1; };
+  // The steps in which the span begins and ends; at a row, those that are inside.
+  const auto begin =
+      row(std::upper_bound(times_s.begin(), times_s.end(), span.first_s + rounding_s));
+  const auto end = row(std::lower_bound(times_s.begin(), times_s.end(), span.last_s - rounding_s));
+  // The places that a step's polynomial goes through: as sensor::Track chooses them.
+  const auto window = [&](std::ptrdiff_t step) {
+    return std::clamp<std::ptrdiff_t>(step - (used / 2 - 1), 0, rows - used);
+  };
+  const std::ptrdiff_t last = std::min(window(end) + used - 1, rows - 1);
+  for (std::ptrdiff_t i = window(begin); i < last; ++i) {
+    const TableStep step{times_s[static_cast<std::size_t>(i)],
+                         times_s[static_cast<std::size_t>(i) + 1]};
+    if (step.length_s() > longest_s * (1.0 + 1e-9)) return step;
+  }
+  return std::nullopt;
 }
 
 }  // namespace nadir::sim

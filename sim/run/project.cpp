@@ -55,9 +55,26 @@ void check_near_image(const sensor::DetectorArray& array, sensor::ImagePoint ima
                   image.sample, image.line, array.name, array.samples, array.lines)};
 }
 
+void check_on_earth(const geometry::Geodetic& place) {
+  if (!(std::abs(place.latitude_deg) <= 90.0)) {
+    throw InputError{
+        fmt::format("latitude {} lies outside -90 to 90 degrees", place.latitude_deg)};
+  }
+  if (!(std::abs(place.longitude_deg) <= 360.0)) {
+    throw InputError{
+        fmt::format("longitude {} lies outside -360 to 360 degrees", place.longitude_deg)};
+  }
+  if (!std::isfinite(place.height_m)) {
+    throw InputError{fmt::format("height {} is no number of metres", place.height_m)};
+  }
+}
+
 Projection image_on_ground(const CameraScene& scene, const sensor::DetectorArray& array,
                            const ImagePlace& asked) {
   check_near_image(array, asked.image);
+  if (asked.height_m && !std::isfinite(*asked.height_m)) {
+    throw InputError{fmt::format("height {} is no number of metres", *asked.height_m)};
+  }
   const sensor::Platform& platform = scene.camera.platform;
   const double time_s = sensor::image_time_s(array, asked.image);
   const double slack_s = 1e-9;  // of times that are sums
@@ -128,6 +145,7 @@ const sensor::DetectorArray& find_array(const Camera& camera, const std::string&
 Projection project(const CameraScene& scene, const sensor::DetectorArray& array,
                    const ProjectionPoint& point) {
   if (const auto* geodetic = std::get_if<geometry::Geodetic>(&point)) {
+    check_on_earth(*geodetic);
     return place_in_image(scene, array, scene.frame.enu(*geodetic));
   }
   if (const auto* local = std::get_if<LocalPlace>(&point)) {

@@ -61,6 +61,7 @@ struct Projection {
 
 /// Lines of sight are those of the camera at rest in its moment: without blur, jitter or bending by
 /// the air.
+/// @throws InputError for places that are not of the earth or far from the image
 [[nodiscard]] Projection project(const CameraScene& scene, const sensor::DetectorArray& array,
                                  const ProjectionPoint& point);
 

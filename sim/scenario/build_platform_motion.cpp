@@ -52,12 +52,13 @@ std::optional<PositionInput> way_of(const PlatformBuilder& builder, const Checke
   const auto file = [&] { return element.value<std::filesystem::path>("file"); };
   if (kind == "straight" || kind == "circle") return flight_of(builder, element);
   if (kind == "waypoints") {
-    return WaypointsInput{file(), element.value<std::string>("interpolation") == "straight"};
+    return WaypointsInput{file(), element.value<std::string>("interpolation") == "straight",
+                          element.find<double>("max_gap_s")};
   }
   if (kind == "circular_orbit") return overpass_of(element);
   if (kind == "kepler_orbit") return kepler_of(builder.context, element);
   if (kind == "tle") return TwoLineInput{file(), element.value<std::string>("satellite")};
-  return EphemerisInput{file()};
+  return EphemerisInput{file(), element.find<double>("max_gap_s")};
 }
 
 }  // namespace

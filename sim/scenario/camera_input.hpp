@@ -66,7 +66,7 @@ struct PushbroomInput {
   double line_period_ms = 0.0, exposure_ms = 0.0;
   std::optional<double> start_s{};
   int tdi_stages = 1;
-  bool tdi_behind = false;  ///< the ground comes to the rows at -y first
+  bool tdi_behind = false;  ///< charge moves towards +y: for a platform that flies towards -y
 };
 struct WhiskbroomInput {
   double sample_period_us = 0.0, scan_period_ms = 0.0;
@@ -152,6 +152,7 @@ struct DetectorInput {
   bool flat = true;
   double dead_share = 0.0;
   int pattern_seed = 1;
+  SourceLocation where{};
 };
 
 // ---- arrays and camera --------------------------------------------------------------------------

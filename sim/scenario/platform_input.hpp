@@ -40,13 +40,15 @@ struct CircleInput {
 struct WaypointsInput {
   std::filesystem::path file;
   bool straight = false;  ///< straight pieces in place of Lagrange's polynomials
+  std::optional<double> max_gap_s{};  ///< longest time between places that are used
 };
 struct TwoLineInput {
   std::filesystem::path file;
   std::string satellite;  ///< name or catalogue number
 };
 struct EphemerisInput {
-  std::filesystem::path file;  ///< CCSDS OEM
+  std::filesystem::path file;         ///< CCSDS OEM
+  std::optional<double> max_gap_s{};  ///< longest time between places that are used
 };
 /// The first two stand still.
 using PositionInput =

@@ -115,8 +115,9 @@ std::vector<ElementType> timings() {
                       defaulted("tdi_stages", IntegerType{1, 4096}, "", "1",
                                 "Rows that add up the same ground (time-delay integration)."),
                       defaulted("tdi_direction", EnumerationType{{"ahead", "behind"}}, "", "ahead",
-                                "Where the further rows lie: towards +y, which sees the ground "
-                                "first, or towards -y.")}},
+                                "Which way the charge moves. ahead: towards -y, with the ground's "
+                                "image, as y looks ahead. behind: the other way, for a platform "
+                                "that flies backwards, towards -y.")}},
       {.id = "whiskbroom",
        .name = "whiskbroom",
        .doc = "A column of detectors that a scanning mount sweeps across.",

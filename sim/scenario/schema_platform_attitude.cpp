@@ -75,7 +75,8 @@ std::vector<ElementType> moving_attitudes() {
                           "Times as time_s or time_utc, and w, x, y, z; or yaw_deg, pitch_deg, "
                           "roll_deg (as in euler; with reference orbit as in nadir)."),
                       required("reference", reference_type(), "", reference_doc),
-                      optional("max_gap_s", above_to(0.0, 1e9), "s", "any",
+                      optional("max_gap_s", above_to(0.0, 1e9), "s",
+                               "5 times the median step; any with fewer than 8 rows",
                                "The longest time between two rows while the camera looks.")}},
   };
 }

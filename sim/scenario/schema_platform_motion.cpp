@@ -43,7 +43,11 @@ std::vector<ElementType> flight_types() {
                      "x_m, y_m, z_m (ECEF); or east_m, north_m, up_m."),
             defaulted("interpolation", EnumerationType{{"lagrange", "straight"}}, "", "lagrange",
                       "Between the places: the polynomial through the eight nearest, or straight "
-                      "lines.")}},
+                      "lines."),
+            optional("max_gap_s", above_to(0.0, 1e9), "s",
+                     "5 times the median step; any with straight lines or fewer than 8 places",
+                     "The longest time between two places that are used while the camera "
+                     "looks.")}},
   };
 }
 
@@ -82,7 +86,11 @@ std::vector<ElementType> orbit_types() {
       {.id = "oem",
        .name = "oem",
        .doc = "A way from a CCSDS orbit ephemeris message.",
-       .attributes = {required("file", PathType{}, "", "OEM in key-value notation.")}},
+       .attributes = {required("file", PathType{}, "", "OEM in key-value notation."),
+                      optional("max_gap_s", above_to(0.0, 1e9), "s",
+                               "5 times the median step; any with fewer than 8 places",
+                               "The longest time between two places that are used while the "
+                               "camera looks.")}},
   };
 }
 
