@@ -9,6 +9,7 @@ line scanner model of USGS as their documentation has them, from the ISD alone.
     check_isd.py ISD.json --nadir BUILD/nadir --scenario S.xml --array A [--heights 0,100]
         asks the program itself for a grid of image places at these heights
 
+The program counts samples in the array, a module's ISD in the module: rows beside it are left out.
 Every row is taken both ways: its place to the image, and its image place to the ground at its
 height. Prints the largest difference of each, in pixels. Exit status: 0 all within --tolerance
 (default 1e-3), 1 not, 2 wrong use, 77 numpy is missing.
@@ -83,6 +84,7 @@ class SensorModel:
         self.focal = isd["focal_length_model"]["focal_length"]
         self.to_lines = np.array(isd["focal2pixel_lines"])
         self.to_samples = np.array(isd["focal2pixel_samples"])
+        self.start_sample = isd["starting_detector_sample"]  # of a module in its array
         self.centre_line = isd["detector_center"]["line"]
         self.centre_sample = isd["detector_center"]["sample"]
         self.radtan = isd["optical_distortion"]["radtan"]["coefficients"]
@@ -120,14 +122,15 @@ class SensorModel:
         right = np.array(
             [
                 (0.0 if self.is_line_scanner else line) - self.centre_line - self.to_lines[0],
-                sample - self.centre_sample - self.to_samples[0],
+                sample + self.start_sample - self.centre_sample - self.to_samples[0],
             ]
         )
         return np.linalg.solve(np.array([self.to_lines[1:], self.to_samples[1:]]), right)
 
     def pixel_of_focal(self, d):
         line = self.to_lines[0] + self.to_lines[1:] @ d + self.centre_line
-        return line, self.to_samples[0] + self.to_samples[1:] @ d + self.centre_sample
+        sample = self.to_samples[0] + self.to_samples[1:] @ d + self.centre_sample
+        return line, sample - self.start_sample
 
     def pose(self, t):
         """Position, m, and the matrix from sensor to body axes."""
@@ -214,9 +217,8 @@ def asked_of_program(options, model):
     for height in options.heights.split(","):
         for i in range(7):
             for j in range(7):
-                rows.append(
-                    f"{0.5 + i / 6 * (model.samples - 1)},{0.5 + j / 6 * (model.lines - 1)},{height}"
-                )
+                sample = model.start_sample + 0.5 + i / 6 * (model.samples - 1)
+                rows.append(f"{sample},{0.5 + j / 6 * (model.lines - 1)},{height}")
     path = options.isd + ".points.csv"
     with open(path, "w") as file:
         file.write("\n".join(rows) + "\n")
@@ -249,7 +251,9 @@ def main():
     for row in csv.DictReader(io.StringIO(text)):
         if not row["sample"] or not row["latitude_deg"]:
             continue
-        sample, line = float(row["sample"]), float(row["line"])
+        sample, line = float(row["sample"]) - model.start_sample, float(row["line"])
+        if not 0 <= sample <= model.samples:
+            continue  # another module's
         height = float(row["height_m"])
         ground = model.ecef(float(row["latitude_deg"]), float(row["longitude_deg"]), height)
         found_line, found_sample = model.ground_to_image(ground)

@@ -16,7 +16,8 @@ namespace nadir::sim {
 /// @throws InputError with the reason where the model cannot say what the array does
 [[nodiscard]] std::string csm_isd(const GeoTask& task, std::size_t band, std::size_t module = 0);
 
-/// One file a band, and module of an array that is made of them; none, and one warning, where the model cannot say what the array does.
+/// One file a band, and module of an array that is made of them; none, and one warning, where the
+/// model cannot say what the array does.
 [[nodiscard]] std::vector<ProductFile> write_csm_isds(const GeoTask& task);
 
 }  // namespace nadir::sim

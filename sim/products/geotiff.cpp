@@ -183,10 +183,11 @@ void add_polynomials(const GeoTask& task, HeightRange range, Georeference& found
 
 void place_by_points(const GeoTask& task, Georeference& found) {
   if (const double jump_px = stagger_px(*task.array); jump_px > most_rpc_residual_px) {
-    task.warn(fmt::format("its GeoTIFF is not georeferenced: from module to module the image jumps "
-                          "by up to {:.3g} pixels, which neither control points nor rational "
-                          "polynomials can say; NetCDF holds every pixel's place",
-                          jump_px));
+    task.warn(
+        fmt::format("its GeoTIFF is not georeferenced: from module to module the image jumps "
+                    "by up to {:.3g} pixels, which neither control points nor rational "
+                    "polynomials can say; NetCDF holds every pixel's place",
+                    jump_px));
     return;
   }
   std::vector<GroundPoint> points;

@@ -84,8 +84,7 @@ std::optional<MiddleView> middle_view(const GeoTask& task) {
   const Vec3 ahead = at_camera * view.ray.direction;
   return MiddleView{*ground, std::acos(std::clamp(-ahead.z, -1.0, 1.0)) * degrees_per_radian,
                     std::acos(std::clamp(back.z, -1.0, 1.0)) * degrees_per_radian,
-                    azimuth_deg(ahead),
-                    ground_sampling_m(task, middle, ground->geodetic.height_m)};
+                    azimuth_deg(ahead), ground_sampling_m(task, middle, ground->geodetic.height_m)};
 }
 
 struct Outline {

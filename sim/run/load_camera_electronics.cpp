@@ -90,12 +90,11 @@ void check_electronics(const ArrayInput& input, const sensor::DetectorArray& arr
   ErrorList errors;
   for (std::size_t band = 0; band < electronics.size(); ++band) {
     if (!electronics[band].detector) continue;
-    errors.attempt("detector of band " + array.bands[band].name + " of array " + array.name, {},
-                   [&] {
-                     // What it folds together says whether it can be; any seed does.
-                     static_cast<void>(
-                         sensor::SignalChain{array, band, *electronics[band].detector, 0});
-                   });
+    errors.attempt(
+        "detector of band " + array.bands[band].name + " of array " + array.name, {}, [&] {
+          // What it folds together says whether it can be; any seed does.
+          static_cast<void>(sensor::SignalChain{array, band, *electronics[band].detector, 0});
+        });
   }
   try {
     errors.throw_if_any();

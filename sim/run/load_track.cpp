@@ -188,10 +188,10 @@ std::optional<TableStep> gap_of(const std::vector<double>& times_s, int points, 
   const auto end = row(std::lower_bound(times_s.begin(), times_s.end(), span.last_s - rounding_s));
   // The places that a step's polynomial goes through: as sensor::Track chooses them.
   const auto window = [&](std::ptrdiff_t step) {
-    return std::clamp<std::ptrdiff_t>(step - (used / 2 - 1), 0, rows - used);
+    return used == 2 ? step : std::clamp<std::ptrdiff_t>(step - (used / 2 - 1), 0, rows - used);
   };
   const std::ptrdiff_t last = std::min(window(end) + used - 1, rows - 1);
-  for (std::ptrdiff_t i = window(begin); i < last; ++i) {
+  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(window(begin), 0); i < last; ++i) {
     const TableStep step{times_s[static_cast<std::size_t>(i)],
                          times_s[static_cast<std::size_t>(i) + 1]};
     if (step.length_s() > longest_s * (1.0 + 1e-9)) return step;

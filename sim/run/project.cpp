@@ -57,8 +57,7 @@ void check_near_image(const sensor::DetectorArray& array, sensor::ImagePoint ima
 
 void check_on_earth(const geometry::Geodetic& place) {
   if (!(std::abs(place.latitude_deg) <= 90.0)) {
-    throw InputError{
-        fmt::format("latitude {} lies outside -90 to 90 degrees", place.latitude_deg)};
+    throw InputError{fmt::format("latitude {} lies outside -90 to 90 degrees", place.latitude_deg)};
   }
   if (!(std::abs(place.longitude_deg) <= 360.0)) {
     throw InputError{

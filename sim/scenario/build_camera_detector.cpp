@@ -117,6 +117,7 @@ std::optional<DetectorInput> build_detector(const BuildContext& context,
       single_child(context, element, {"photon_detector", "published_noise"}, "detector");
   if (given == nullptr) return std::nullopt;
   DetectorInput detector;
+  detector.where = context.source.locate(given->offset);
   if (given->type->name == "photon_detector") {
     detector.element = build_photons(*given);
     detector.gain_dn_e = given->find<double>("gain_dn_e");

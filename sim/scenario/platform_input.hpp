@@ -39,7 +39,7 @@ struct CircleInput {
 };
 struct WaypointsInput {
   std::filesystem::path file;
-  bool straight = false;  ///< straight pieces in place of Lagrange's polynomials
+  bool straight = false;              ///< straight pieces in place of Lagrange's polynomials
   std::optional<double> max_gap_s{};  ///< longest time between places that are used
 };
 struct TwoLineInput {

@@ -176,10 +176,11 @@ TEST_CASE("noise that is predicted is drawn where rounding matters", "[sensor][d
   CHECK(parallel.rms == Approx(parallel.equivalent).epsilon(0.01));
   CHECK(parallel.of_noise == Approx(1.0).epsilon(0.01));
   CHECK(axis.rms == Approx(axis.equivalent).epsilon(0.01));
+  CHECK(axis.of_noise == Approx(1.0).epsilon(0.01));
   CHECK(axis.equivalent == Approx(parallel.equivalent).epsilon(0.01));
   CHECK(narrow.rms == Approx(narrow.equivalent).epsilon(0.01));
   CHECK(narrow.of_noise == Approx(1.0).epsilon(0.01));
-  // A sixteenth of the field is about the axis and not rounded twice in effect.
+  // A tenth of the field is about the axis and not rounded twice in effect.
   CHECK(narrow.equivalent / parallel.equivalent == Approx(twice / once).epsilon(0.02));
   // A corner at 39 degrees: less than half of the light, and the noise plane's own law.
   const Deviation corner = deviation(lens_of(0.8), sigma_dn, 50);

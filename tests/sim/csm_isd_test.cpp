@@ -3,8 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "sim/geo_scene.hpp"
 #include "sim/products/pose_table.hpp"
+#include "sim/scratch_folder.hpp"
 #include "support/catch.hpp"
 
 using namespace nadir;
@@ -142,7 +144,28 @@ TEST_CASE("cameras that the models cannot say get no ISD but a reason") {
   REQUIRE(map->diagnostics.messages().size() == 1);
   CHECK(map->diagnostics.messages()[0] ==
         "array map: no CSM image support data: its lines of sight are parallel");
-  const auto modules = support::satellite();
-  modules->camera.arrays[0].modules = {{0, 300, 0.0, 0.0, 0.0}, {300, 300, 0.0, 1e-4, 0.0}};
-  CHECK(write_csm_isds(modules->task()).empty());
+}
+
+TEST_CASE("every module of an array has an ISD of its own, but for those that are turned") {
+  const support::ScratchFolder folder;
+  const auto scene = support::satellite();
+  scene->camera.arrays[0].modules = {
+      {0, 250, 9e-6, 0.0, 0.0}, {250, 150, 0.0, 36e-6, 0.0}, {400, 200, 0.0, 0.0, 1e-3}};
+  const GeoTask task = scene->task(folder / "line");
+  const auto files = write_csm_isds(task);
+  REQUIRE(files.size() == 2);
+  CHECK(files[1].path.filename() == "line_green_module2_isd.json");
+  REQUIRE(scene->diagnostics.messages().size() == 1);
+  CHECK(scene->diagnostics.messages()[0] ==
+        "array line: no CSM image support data: its module 3 is turned");
+  CHECK_THROWS_AS(csm_isd(task, 0, 2), InputError);
+  const Json first = Json::parse(csm_isd(task, 0, 0)), second = Json::parse(csm_isd(task, 0, 1));
+  CHECK(first.at("image_samples") == 250);
+  CHECK(first.at("starting_detector_sample") == 0);
+  // Half a pixel to the right, and two rows further ahead than the array's forty.
+  CHECK(first.at("detector_center").at("sample").get<double>() == Approx(299.5).margin(1e-9));
+  CHECK(second.at("image_identifier") == "made_line_green_module2");
+  CHECK(second.at("image_samples") == 150);
+  CHECK(second.at("starting_detector_sample") == 250);
+  CHECK(second.at("detector_center").at("line").get<double>() == Approx(-42.0).margin(1e-9));
 }

@@ -1,5 +1,6 @@
 #include "sim/products/geotiff.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -65,6 +66,51 @@ TEST_CASE("cameras with a perspective have points and polynomials instead of a m
   CHECK(place.control.front().image == Vec2{0.0, 0.0});
   CHECK(place.control.back().image == Vec2{60.0, 50.0});
   CHECK(place.control[40].place.height_m == Approx(120.0).margin(1e-6));
+}
+
+TEST_CASE("an image of staggered modules gets no points that a reader would interpolate") {
+  const auto scene = support::satellite(60, 50);
+  auto& modules = scene->camera.arrays[0].modules;
+  modules = {{0, 30, 0.0, 0.0, 0.0}, {30, 30, 0.0, 40.0 * 18e-6, 0.0}};
+  const Georeference place = georeference(scene->task());
+  CHECK(place.control.empty());
+  CHECK_FALSE(place.rpc);
+  REQUIRE(scene->diagnostics.messages().size() == 1);
+  CHECK(scene->diagnostics.messages()[0] ==
+        "array line: its GeoTIFF is not georeferenced: from module to module the image jumps by up "
+        "to 40 pixels, which neither control points nor rational polynomials can say; NetCDF holds "
+        "every pixel's place");
+  // A tenth of a pixel is within what polynomials may be off by.
+  modules[1].offset_y_m = 0.1 * 18e-6;
+  CHECK(georeference(scene->task()).control.size() == 81);
+}
+
+TEST_CASE("polynomials that cannot be fitted are missed with a reason") {
+  const auto scene = support::drone();
+  // Pitched up until only the image's lowest rows see the earth.
+  scene->camera.platform = sensor::Platform{
+      sensor::from_euler({15.0, -8.0, 120.0}, Mat3{}, degrees(30.0), degrees(15.0), degrees(0.0))};
+  const Georeference place = georeference(scene->task());
+  CHECK_FALSE(place.control.empty());
+  CHECK_FALSE(place.rpc);
+  REQUIRE(scene->diagnostics.messages().size() == 1);
+  CHECK(scene->diagnostics.messages()[0] ==
+        "array frame: no rational polynomials: too few lines of sight meet the earth");
+}
+
+TEST_CASE("control points run on across the date line") {
+  const auto scene = support::drone();
+  scene->geometry.frame = geometry::LocalFrame{{45.2, 179.9999, 120.0}};
+  const Georeference place = georeference(scene->task());
+  REQUIRE(place.control.size() == 81);
+  double west = 1e9, east = -1e9;
+  for (const ControlPoint& point : place.control) {
+    west = std::min(west, point.place.longitude_deg);
+    east = std::max(east, point.place.longitude_deg);
+  }
+  CHECK(east - west < 0.01);  // some 150 m
+  CHECK(((west < 180.0 && east > 180.0) || (west < -180.0 && east > -180.0)));
+  CHECK(place.rpc);
 }
 
 TEST_CASE("digital numbers keep their scale and bands their wavelengths") {

@@ -107,6 +107,18 @@ TEST_CASE("a table of attitudes may not have gaps", "[sim][platform]") {
   CHECK(flight.message({0.0, 1.5}) ==
         "a.xml:16:15: error: attitude gap: the camera looks between 1 s and 9 s, where no row "
         "stands for 8 s; max_gap_s is 2\n");
+  std::string long_one = "time_s,w,x,y,z\n";
+  for (const char* time : {"0", "1", "2", "3", "4", "9.5", "10.5", "11.5", "12.5"}) {
+    long_one += std::string{time} + ",1,0,0,0\n";
+  }
+  flight.table(long_one, sensor::Reference::scene);
+  CHECK(flight.message({0.0, 4.0}) == "(nothing thrown)");
+  CHECK(flight.message({4.0, 4.0}) == "(nothing thrown)");
+  CHECK(flight.message({3.0, 4.5}) ==
+        "a.xml:16:15: error: attitude gap: the camera looks between 4 s and 9.5 s, where no row "
+        "stands for 5.5 s; without max_gap_s the limit is five times the median step, 5\n");
+  flight.table(long_one, sensor::Reference::scene, 6.0);
+  CHECK(flight.message({3.0, 4.5}) == "(nothing thrown)");
   flight.table("time_s,w,x,y,z\n0,1,0,0,0\n2,0,0,0,1\n", sensor::Reference::scene);
   CHECK(flight.message({0.0, 2.0}) ==
         "turn.csv:3: error: attitude gap: the platform turns by 180.0 degrees between 0 s and 2 s; "
@@ -135,6 +147,21 @@ TEST_CASE("a camera under ground is refused where there is ground", "[sim][platf
   CHECK(sinking.message({0.0, 3.0}, ground_at(30.0)) ==
         "a.xml:15:15: error: camera under ground: it lies 5.000 m below the terrain 3 s after the "
         "scenario's time\n");
+  // Above ground in the beginning, in the middle and at the end, but not at a place of the way.
+  sinking.platform().position =
+      WaypointsInput{sinking.text("dip.csv",
+                                  "time_s,east_m,north_m,up_m\n0,0,0,40\n1.0001,0,0,40\n"
+                                  "1.0003,0,0,20\n1.0005,0,0,40\n4,0,0,40\n"),
+                     true};
+  CHECK(sinking.message({0.0, 4.0}, ground_at(30.0)) ==
+        "a.xml:15:15: error: camera under ground: it lies 10.000 m below the terrain 1.0003 s "
+        "after the scenario's time\n");
+  CHECK(sinking.message({2.0, 4.0}, ground_at(30.0)) == "(nothing thrown)");
+  // The same between the places of a way: the ground ends 100 m from its middle.
+  sinking.platform().position = WaypointsInput{
+      sinking.text("through.csv", "time_s,east_m,north_m,up_m\n0,-900,0,20\n4,500,0,20\n"), true};
+  CHECK_THAT(sinking.message({0.0, 4.0}, ground_at(30.0)),
+             Catch::Contains("it lies 10.000 m below the terrain"));
 }
 
 TEST_CASE("laws that mean nothing where the platform is are told at the element",

@@ -152,6 +152,23 @@ TEST_CASE("a photon detector's figures arrive in SI units", "[run][load_camera]"
   CHECK(b.detector->optics.transmittance == 0.5);
 }
 
+TEST_CASE("a dark current that fills the well is told where the detector stands",
+          "[run][load_camera]") {
+  const auto dark = [](const std::string& dark_e_s) {
+    return message_of([&] {
+      (void)load_text(with_array(R"(<optics f_number="2.8"/><global_shutter exposure_ms="1"/>
+      <photon_detector efficiency="0.6" dark_e_s=")" +
+                                 dark_e_s + R"(" full_well_e="3e4"/>)" + band));
+    });
+  };
+  CHECK(dark("1e7") == "(nothing thrown)");  // 1e4 electrons
+  const std::string message = dark("4e7");
+  CHECK_THAT(message,
+             Catch::Contains("test.xml:22:7: error: detector of band g of array a: dark current "
+                             "(40000 electrons)"));
+  CHECK_THAT(message, Catch::Contains("fill the well of 30000 in one exposure"));
+}
+
 TEST_CASE("published noise meets its figures", "[run][load_camera]") {
   const Camera camera = load_text(with_array(
       R"(<published_noise bits="12" saturation_radiance="600"/>

@@ -132,6 +132,37 @@ TEST_CASE("way points may be given in any axes", "[sim][platform]") {
   CHECK(length(load("d.csv", geodetic, false) - curved) < 0.2);  // six decimals of a degree
 }
 
+TEST_CASE("a gap among the way points that are used is told", "[sim][platform]") {
+  PlatformLoading loading;
+  std::string rows = "time_s,east_m,north_m,up_m\n";
+  const auto add = [&](double time_s) {
+    rows += std::to_string(time_s) + ",0," + std::to_string(70.0 * time_s) + ",900\n";
+  };
+  for (int i = 0; i < 20; ++i) add(i);
+  for (int i = 25; i < 45; ++i) add(i);
+  const auto told = [&](bool straight, std::optional<double> max_gap_s, sensor::TimeSpan span) {
+    loading.platform().position = WaypointsInput{loading.text("w.csv", rows), straight, max_gap_s};
+    const std::string message = loading.message(span);
+    if (message == "(nothing thrown)") return false;
+    CHECK(message.substr(0, message.find(" may lie")) ==
+          "a.xml:15:15: error: gap in the trajectory: w.csv has no place for 6 s, from 19 s to 25 "
+          "s after the scenario's time; at most " +
+              std::string{max_gap_s ? "2 s" : "5 s"});
+    return true;
+  };
+  CHECK(told(false, {}, {20.0, 21.0}));
+  CHECK(told(false, {}, {16.0, 16.5}));        // uses 13 to 19 and 25
+  CHECK_FALSE(told(false, {}, {15.0, 15.5}));  // uses 12 to 19
+  CHECK_FALSE(told(false, {}, {28.5, 30.0}));  // uses 25 to 33
+  CHECK_FALSE(told(false, 6.0, {20.0, 21.0}));
+  CHECK_FALSE(told(true, {}, {20.0, 21.0}));  // sparse on purpose
+  CHECK(told(true, 2.0, {18.5, 19.5}));
+  CHECK_FALSE(told(true, 2.0, {17.0, 19.0}));
+  rows = "time_s,east_m,north_m,up_m\n";
+  for (const double time_s : {0.0, 1.0, 2.0, 3.0, 4.0, 40.0, 41.0}) add(time_s);  // too few
+  CHECK_FALSE(told(false, {}, {10.0, 20.0}));
+}
+
 TEST_CASE("a circular orbit passes over its place at the scenario's time", "[sim][platform]") {
   PlatformLoading loading;
   loading.platform().position = sensor::Overpass{36.0, -84.0, 705e3, 98.2, false};
@@ -172,7 +203,9 @@ TEST_CASE("two-line elements give the place that SGP4 gives", "[sim][platform]")
   // The tolerance of the table.
   CHECK(length(position - loading.frame().enu_from_ecef(1e3 * ecef.position)) < 2e-5);
   loading.platform().position = TwoLineInput{loading.text("v.tle", tle), "6"};
-  CHECK(loading.message({0.0, 2.0}).find("v.tle") != std::string::npos);
+  CHECK(loading.message({0.0, 2.0}) ==
+        "a.xml:15:15: error: there is no satellite \"6\" in v.tle\n"
+        "    hint: the file has 00005\n");
 }
 
 TEST_CASE("an orbit ephemeris gives the place between its states", "[sim][platform]") {
@@ -204,6 +237,29 @@ TEST_CASE("an orbit ephemeris gives the place between its states", "[sim][platfo
   const auto state = sensor::orbit_state(elements, time + Seconds{7.0});
   // Places of a millimetre; the polynomial through eight of them, 30 s apart, keeps that.
   CHECK(length(platform.at(7.0).position - loading.frame().enu_from_ecef(state.position)) < 3e-3);
+  // A minute and a half without states among steps of 30 s is usual, three minutes are not.
+  const auto without = [&](int first, int last) {
+    std::string holed = text;
+    for (int i = first; i <= last; ++i) {
+      std::string utc = (time + Seconds{30.0 * i}).to_string();
+      utc.pop_back();
+      const std::size_t at = holed.find(utc + " ");
+      holed.erase(at, holed.find('\n', at) + 1 - at);
+    }
+    return loading.text("holed.oem", holed);
+  };
+  loading.platform().position = EphemerisInput{without(2, 3)};
+  CHECK(loading.message({-10.0, 10.0}) == "(nothing thrown)");
+  loading.platform().position = EphemerisInput{without(2, 6)};
+  CHECK(
+      loading.message({-10.0, 10.0}) ==
+      "a.xml:15:15: error: gap in the trajectory: holed.oem has no place for 180 s, from 30 s to "
+      "210 s after the scenario's time; at most 150 s may lie between two places\n"
+      "    hint: max_gap_s says how long it may be; unless it does, five times the median step\n");
+  CHECK(loading.message({-200.0, -190.0}) == "(nothing thrown)");  // far from the gap
+  loading.platform().position = EphemerisInput{without(2, 6), 180.0};
+  CHECK(loading.message({-10.0, 10.0}) == "(nothing thrown)");
+  loading.platform().position = EphemerisInput{loading.text("s.oem", text)};
   CHECK(loading.message({0.0, 301.0}) ==
         "a.xml:15:15: error: time outside the trajectory: the camera looks from 0 s to 301 s after "
         "the scenario's time, but s.oem covers -300 s to 300 s\n");

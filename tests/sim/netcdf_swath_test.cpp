@@ -66,6 +66,19 @@ TEST_CASE("a swath holds radiance and its error, and where and when every pixel 
   CHECK(arrays["height"]["values"][7][12].get<double>() == Approx(120.0).margin(1e-5));
 }
 
+TEST_CASE("GDAL's readers of two dimensions take the first line for the last unless told not to") {
+  if (!support::has_gdal_tools()) {
+    WARN("gdal-bin is not installed: skipped");
+    return;
+  }
+  const Swath swath;
+  const std::string image = "'NETCDF:\"" + swath.write().string() + "\":radiance'";
+  const auto found = support::run_tool(
+      "gdallocationinfo --config GDAL_NETCDF_BOTTOMUP NO -valonly " + image + " 3 0");
+  CHECK(found.status == 0);
+  CHECK(found.out == "3.5\n");
+}
+
 TEST_CASE("the same image gives the same swath, and no other files stay") {
   const Swath swath;
   const auto first = support::content_of(swath.write());

@@ -99,13 +99,15 @@ TEST_CASE("ways from files are named by absolute path", "[scenario][platform]") 
           .position);
   CHECK(way.file == file);
   CHECK(way.straight);
+  CHECK_FALSE(way.max_gap_s);
   const auto tle = std::get<TwoLineInput>(
       read_platform(flying("<tle file=\"" + file + "\" satellite=\"39084\"/>")).position);
   CHECK(tle.file == file);
   CHECK(tle.satellite == "39084");
-  const auto oem =
-      std::get<EphemerisInput>(read_platform(flying("<oem file=\"" + file + "\"/>")).position);
+  const auto oem = std::get<EphemerisInput>(
+      read_platform(flying("<oem file=\"" + file + "\" max_gap_s=\"90\"/>")).position);
   CHECK(oem.file == file);
+  CHECK(oem.max_gap_s == 90.0);
   const auto table = std::get<AttitudeTableInput>(
       read_platform(flying(still, "<attitude_table file=\"" + file +
                                       "\" reference=\"earth\" max_gap_s=\"2\"/>"))

@@ -73,6 +73,37 @@ TEST_CASE("a height stands in for the ground, and a place below the ground is hi
   CHECK_FALSE(project(scene, array, LocalPlace{{0.0, 0.0, 900.0}}).image);  // above the camera
 }
 
+TEST_CASE("a line of sight that goes down from below a height does not come to it") {
+  const auto made = support::drone();
+  const CameraScene scene = over_ground(*made);
+  const sensor::DetectorArray& array = scene.camera.arrays[0];
+  // The drone flies at 240 m. Just above it, and far above it.
+  for (const double height_m : {240.1, 250.0, 5000.0}) {
+    CHECK_FALSE(project(scene, array, ImagePlace{{640.0, 480.0}, height_m}).place);
+  }
+  CHECK(project(scene, array, ImagePlace{{640.0, 480.0}, 239.9}).place);
+  // Upwards, a height above the camera is where the line of sight goes; one below it is not.
+  const geometry::Ray up{{0.0, 0.0, 120.0}, normalised(Vec3{0.1, 0.2, 1.0})};
+  const auto above = at_height(scene.frame, up, 5000.0);
+  REQUIRE(above);
+  CHECK(scene.frame.geodetic(*above).height_m == Approx(5000.0).margin(1e-5));
+  CHECK_FALSE(at_height(scene.frame, up, 239.0));
+}
+
+TEST_CASE("places that are not of the earth are refused") {
+  const auto made = support::drone();
+  const CameraScene scene = over_ground(*made);
+  const auto message = [&](const ProjectionPoint& point) {
+    return support::message_of([&] { (void)project(scene, scene.camera.arrays[0], point); });
+  };
+  CHECK(message(geometry::Geodetic{95.0, 11.4, 0.0}) ==
+        "error: latitude 95 lies outside -90 to 90 degrees\n");
+  CHECK(message(geometry::Geodetic{45.0, 361.0, 0.0}) ==
+        "error: longitude 361 lies outside -360 to 360 degrees\n");
+  CHECK(message(ImagePlace{{640.0, 480.0}, std::nan("")}) ==
+        "error: height nan is no number of metres\n");
+}
+
 TEST_CASE("a pushbroom's places have their own times") {
   const auto made = support::satellite();
   const CameraScene scene = over_ground(*made);
@@ -123,8 +154,15 @@ TEST_CASE("an independent reader of the ISD projects as the program does") {
     return;
   }
   const support::ScratchFolder folder;
-  for (const bool frame : {true, false}) {
-    const auto made = frame ? support::drone() : support::satellite();
+  struct Case {
+    bool frame;
+    std::size_t module, modules;
+  };
+  for (const auto& one : {Case{true, 0, 1}, {false, 0, 1}, {false, 0, 2}, {false, 1, 2}}) {
+    const auto made = one.frame ? support::drone() : support::satellite();
+    if (one.modules == 2) {
+      made->camera.arrays[0].modules = {{0, 250, 5e-6, -7e-4, 0.0}, {250, 350, -9e-6, 9e-4, 0.0}};
+    }
     const CameraScene scene = over_ground(*made);
     std::vector<Projection> found;
     for (const double height_m : {20.0, 110.0}) {
@@ -133,12 +171,13 @@ TEST_CASE("an independent reader of the ISD projects as the program does") {
       }
     }
     std::ofstream{folder / "p.csv"} << to_text(found, ProjectionFormat::csv, scene.scenario.time);
-    std::ofstream{folder / "isd.json"} << csm_isd(made->task(), 0);
+    std::ofstream{folder / "isd.json"} << csm_isd(made->task(), 0, one.module);
     // 1e-5: 12 decimals of a degree are 1e-7 m, a hundred-thousandth of the drone's pixel.
     const auto result = support::run_tool(
         python + " " + NADIR_SOURCE_DIR + "/tools/check_isd.py --tolerance 1e-4 " +
         (folder / "isd.json").string() + " --points " + (folder / "p.csv").string());
     INFO(result.out << result.err);
     CHECK(result.status == 0);
+    CHECK(result.out.rfind("50 places", 0) == (one.modules == 1 ? 0U : std::string::npos));
   }
 }

@@ -10,8 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "camera_support.hpp"
 #include "core/error.hpp"
+#include "end_to_end/command.hpp"
 #include "sensor/detector/photon_yield.hpp"
+#include "sim/files/atomic_file.hpp"
 #include "sim/files/spectrum_file.hpp"
 #include "sim/run/detect.hpp"
 #include "support/catch.hpp"
@@ -355,6 +358,28 @@ TEST_CASE("a detector that cannot be is named with its band", "[sim][sensor]") {
   } catch (const InputError& error) {
     CHECK(std::string{error.what()} ==
           "error: detector of band red of array cam: expected an f-number above 0, found 0\n");
+  }
+}
+
+TEST_CASE("a sheet that cannot be made for what was asked is bad input", "[sim][sensor]") {
+  const support::ScratchFolder folder;
+  write_file(folder / "twin.xml", test::pushbroom_sensor);
+  const auto asked = [&](const std::string& options) {
+    return end_to_end::run_nadir("sensor " + (folder / "twin.xml").string() + " " + options);
+  };
+  CHECK(asked("--height 1000 --speed 50 --plot " + (folder / "mtf.svg").string()).exit_code == 0);
+  CHECK(std::filesystem::exists(folder / "mtf.svg"));
+  const auto nowhere = asked("--plot " + (folder / "none" / "mtf.svg").string());
+  CHECK(nowhere.exit_code == 2);
+  CHECK(nowhere.err.find("there is no folder " + (folder / "none").string()) != std::string::npos);
+  CHECK(asked("--plot " + (folder / "").string()).exit_code == 2);
+  for (const char* number : {"nan", "inf", "0", "-3", "1e12", "high"}) {
+    CAPTURE(number);
+    const auto height = asked("--height " + std::string{number});
+    CHECK(height.exit_code == 2);
+    CHECK(height.err.find("expected a number above 0 and at most 1e+10 m, found ") !=
+          std::string::npos);
+    CHECK(asked("--speed " + std::string{number}).exit_code == 2);
   }
 }
 

@@ -41,6 +41,21 @@ TEST_CASE("a satellite's item says where, when and from where it looked") {
   CHECK(properties["bands"][0]["eo:common_name"] == "green");
 }
 
+TEST_CASE("staggered modules that meet in the middle of the image leave its pixels their size") {
+  const auto scene = support::satellite();
+  const auto gsd = [&] {
+    const Json item = Json::parse(stac_item(scene->task("out/line"), {}, {}));
+    const Json& properties = item["properties"];
+    CHECK(properties["bands"][0]["raster:spatial_resolution"] == properties["gsd"]);
+    return properties["gsd"].get<double>();
+  };
+  const double even_m = gsd();
+  // A hundred rows apart: 1.5 km on the ground.
+  scene->camera.arrays[0].modules = {{0, 300, 0.0, -9e-4, 0.0}, {300, 300, 0.0, 9e-4, 0.0}};
+  // The height of the ground point differs by nothing: the same pixel.
+  CHECK(gsd() == Approx(even_m).epsilon(1e-6));
+}
+
 TEST_CASE("the view's azimuth leads from below the camera to the scene") {
   const auto scene = support::drone();
   const Json item = Json::parse(stac_item(scene->task("out/frame"), {}, {}));

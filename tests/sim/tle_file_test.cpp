@@ -56,10 +56,12 @@ TEST_CASE("a satellite is chosen by name or catalogue number", "[sim][tle]") {
   CHECK(parse_two_line_elements(file, "s.tle", "16925").catalogue_number == 16925);
   CHECK(parse_two_line_elements(file, "s.tle", "5").catalogue_number == 5);
   CHECK(message(file) ==
-        "s.tle: error: the file has 2 element sets: say which by its name or catalogue number\n");
+        "error: s.tle has 2 element sets: say which by its name or catalogue number\n"
+        "    hint: the file has 00005 \"VANGUARD 1\", 16925 \"SL-6 R/B(2)\"\n");
   CHECK(message(file, "VANGUARD 2") ==
-        "s.tle: error: there is no satellite \"VANGUARD 2\" in the file\n"
+        "error: there is no satellite \"VANGUARD 2\" in s.tle\n"
         "    hint: did you mean \"VANGUARD 1\"?\n");
+  CHECK_THAT(message(file, "77"), Contains("hint: the file has 00005 \"VANGUARD 1\", 16925"));
   CHECK(message(file + rocket, "16925") ==
         "s.tle: error: the file has more than one element set for \"16925\", in lines 8 and 10: "
         "keep the one whose epoch is nearest\n");
