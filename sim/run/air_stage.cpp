@@ -130,7 +130,7 @@ void warn_of_bending(const World& world, Diagnostics& diagnostics) {
   warn_at(world.air->where,
           fmt::format("refraction bends the camera's rays: the image and its truth show it, but "
                       "what places the image on the earth (GeoTIFF, NetCDF, sidecars, nadir "
-                      "project) holds straight lines of sight, up to {:.2g} pixels off",
+                      "project) holds straight lines of sight, up to {:.1f} pixels off",
                       shift->pixels),
           diagnostics);
 }

@@ -117,25 +117,25 @@ struct GroundMotion {
 /// is never seen edge-on.
 std::optional<GroundMotion> motion_of(const World& world, Scanned& scan) {
   const sensor::ImagePoint middle{0.5 * scan.still.samples, 0.5 * scan.still.lines};
-  const auto view = [&](double time_s, double x, double y) {
+  const auto view = [&](double time_s, Vec2 off) {
     scan.still.timing.scan = sensor::GlobalShutter{time_s};
     return sensor::image_view(scan.still, world.camera.platform,
-                              {middle.sample + x, middle.line + y})
+                              {middle.sample + off.x, middle.line + off.y})
         .ray;
   };
-  const geometry::Ray ray = view(scan.time_s, 0.0, 0.0);
+  const geometry::Ray ray = view(scan.time_s, {});
   const auto hit = world.scene.geometry.intersect(ray);
   if (!hit) return std::nullopt;
   const Vec3 place = ray.origin + ray.direction * hit->distance, normal = ray.direction;
-  const auto seen = [&](double time_s, double x, double y) {
-    const geometry::Ray r = view(time_s, x, y);
+  const auto seen = [&](double time_s, Vec2 off) {
+    const geometry::Ray r = view(time_s, off);
     return r.origin + r.direction * (dot(place - r.origin, normal) / dot(r.direction, normal));
   };
   constexpr double part = 0.25;  // of a period, within the platform's span even for one line
   const double step_s = part * scan.period_s, t = scan.time_s;
-  const Vec3 side_x = seen(t, 0.5, 0.0) - seen(t, -0.5, 0.0);
-  const Vec3 side_y = seen(t, 0.0, 0.5) - seen(t, 0.0, -0.5);
-  const Vec3 moved = (seen(t + step_s, 0.0, 0.0) - seen(t - step_s, 0.0, 0.0)) * (0.5 / part);
+  const Vec3 side_x = seen(t, {0.5, 0.0}) - seen(t, {-0.5, 0.0});
+  const Vec3 side_y = seen(t, {0.0, 0.5}) - seen(t, {0.0, -0.5});
+  const Vec3 moved = (seen(t + step_s, {}) - seen(t - step_s, {})) * (0.5 / part);
   // moved = x side_x + y side_y in the plane.
   const double area = dot(cross(side_x, side_y), normal);
   return GroundMotion{dot(cross(moved, side_y), normal) / area,

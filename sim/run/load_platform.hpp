@@ -21,7 +21,8 @@ namespace nadir::sim {
                                                             sensor::TimeSpan span);
 
 /// The same, ready to be asked for poses within the span.
-/// @throws InputError as `describe_platform`, and for a camera under the terrain at any of the moments
+/// @throws InputError as `describe_platform`, and for a camera under the terrain at any of the
+/// moments
 ///         of its way within the span, or of some 1000 even ones
 [[nodiscard]] sensor::Platform load_platform(const Scenario& scenario,
                                              const geometry::LocalFrame& frame,

@@ -269,7 +269,8 @@ TEST_CASE("low rays bend down where the scenario asks for it", "[end_to_end][air
 
   scenario.atmosphere = R"(<layered mode="fast" refraction="true"/>)";
   const AirRun bent = run_air(folder, with_truth(scenario, level));
-  CHECK(bent.says("\"from_cache\": true"));  // the light of the air is that of straight rays
+  CHECK(bent.says("\"from_cache\": true"));     // the light of the air is that of straight rays
+  CHECK(bent.says("straight lines of sight"));  // a warning: files with geometry hold those
   CHECK(bent.says("\"rays_bend\": true"));
   // The ray's curvature is -dn/dh = (n - 1) / 10.3 km with n - 1 = 2.69e-4 at 325 m (density falls
   // with 10.3 km in the lowest layer of the standard atmosphere): it meets the plane where
@@ -286,6 +287,7 @@ TEST_CASE("refraction that nobody would see costs nothing", "[end_to_end][air]")
   scenario.atmosphere = R"(<layered mode="fast" refraction="true"/>)";
   const AirRun with = run_air(folder, scenario.text());
   CHECK(with.says("\"rays_bend\": false"));
+  CHECK_FALSE(with.says("straight lines of sight"));
   CHECK((with.planes == without.planes));
 }
 
