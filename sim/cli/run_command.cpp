@@ -69,8 +69,9 @@ void add_run_command(CLI::App& app) {
   // Up to 2^63 - 1, the largest that every reader of the report's JSON can hold; refuses negatives.
   command->add_option("--seed", options->run.seed, "Seed of all random numbers [1]")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0x7FFFFFFFFFFFFFFF}));
-  command->add_option("--noise-seed", options->run.noise_seed,
-                      "Seed of the detectors' noise, apart from the render's [1]")
+  command
+      ->add_option("--noise-seed", options->run.noise_seed,
+                   "Seed of the detectors' noise, apart from the render's [1]")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0x7FFFFFFFFFFFFFFF}));
   command->add_option("--threads", options->run.threads, "Threads; 0: one per processor [0]")
       ->check(CLI::Range(0, 1024));

@@ -12,8 +12,9 @@ namespace nadir::sim {
 /// with the satellite's name before it; blank lines and lines that start with # are passed over.
 /// @param satellite  its name or catalogue number; empty: the file has just one
 /// @throws InputError without a place, but with the file's name: a satellite that is not there.
-///         With file, line and column: one that is there more than once, lines without their partner, wrong checksums, fields that are no numbers or out of
-///         range, sets that are not for SGP4
+///         With file, line and column: one that is there more than once, lines without their
+///         partner, wrong checksums, fields that are no numbers or out of range, sets that are not
+///         for SGP4
 [[nodiscard]] sensor::TwoLineElements read_two_line_elements(const std::filesystem::path& file,
                                                              const std::string& satellite = {});
 /// The same from text; `name` stands in messages.

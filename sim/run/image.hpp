@@ -52,7 +52,8 @@ struct TruthImage {
   std::vector<float> sky_view;  ///< share of the sky's cosine-weighted light not hidden
   std::vector<double> latitude_deg, longitude_deg, height_m;  ///< WGS84
   std::vector<double> time_s;  ///< of the pixel's exposure, after the scenario's time
-  /// Share of the pixel's paths by material: the sky, then `material_names`; empty unless asked for.
+  /// Share of the pixel's paths by material: the sky, then `material_names`; empty unless asked
+  /// for.
   std::vector<std::vector<float>> fractions;
 };
 

@@ -12,7 +12,7 @@ namespace nadir::sim {
 namespace {
 
 /// A part of an axis of the image.
-struct Part {
+struct CutPart {
   int first = 0, count = 0;
 };
 
@@ -40,8 +40,8 @@ void choose_arrays(const BuildContext& context, const CheckedElement& element,
 
 /// What an attribute for the first pixel and one for their number ask for, of so many; nothing
 /// where neither is given or after a mistake.
-std::optional<Part> part_of(const BuildContext& context, const CheckedElement& element,
-                            const std::string& axis, const ArrayInput& array) {
+std::optional<CutPart> part_of(const BuildContext& context, const CheckedElement& element,
+                               const std::string& axis, const ArrayInput& array) {
   const std::string first_name = axis == "samples" ? "first_sample" : "first_line";
   const int all = axis == "samples" ? array.samples : array.lines;
   const auto count = element.find<int>(axis), first = element.find<int>(first_name);
@@ -56,7 +56,7 @@ std::optional<Part> part_of(const BuildContext& context, const CheckedElement& e
                                                      *count, array.name, all));
     return std::nullopt;
   }
-  const Part part{first.value_or((all - *count) / 2), *count};
+  const CutPart part{first.value_or((all - *count) / 2), *count};
   if (part.first > all - part.count) {
     context.mistake(element.where(first_name),
                     fmt::format("{} {} and {} {} reach beyond the {} of array \"{}\"", first_name,
@@ -67,7 +67,7 @@ std::optional<Part> part_of(const BuildContext& context, const CheckedElement& e
 }
 
 /// The same part of an axis with another number of pixels.
-Part scaled(const Part& part, int all, int base) {
+CutPart scaled(const CutPart& part, int all, int base) {
   const double scale = static_cast<double>(all) / base;
   const int count = std::clamp(static_cast<int>(std::lround(part.count * scale)), 1, all);
   const int first = std::clamp(static_cast<int>(std::lround(part.first * scale)), 0, all - count);
@@ -85,7 +85,7 @@ void shift(ArrayInput& array, double columns, double rows) {
 
 /// The modules' parts within the samples that are left. Modules turn about their middles: where
 /// those move the offsets make up for it.
-void cut_modules(ArrayInput& array, const Part& samples) {
+void cut_modules(ArrayInput& array, const CutPart& samples) {
   std::vector<ModuleInput> left;
   for (ModuleInput module : array.modules) {
     const int first = std::max(module.first_sample, samples.first);
@@ -103,7 +103,7 @@ void cut_modules(ArrayInput& array, const Part& samples) {
   array.modules = std::move(left);
 }
 
-void cut_samples(ArrayInput& array, const Part& samples) {
+void cut_samples(ArrayInput& array, const CutPart& samples) {
   constexpr double seconds_per_us = 1e-6;
   if (auto* scan = std::get_if<WhiskbroomInput>(&array.timing)) {
     // Samples come by the mirror's motion: later ones later.
@@ -118,7 +118,7 @@ void cut_samples(ArrayInput& array, const Part& samples) {
   array.samples = samples.count;
 }
 
-void cut_frame(ArrayInput& array, const Part& lines) {
+void cut_frame(ArrayInput& array, const CutPart& lines) {
   if (std::optional<double>* start = start_of(array.timing)) {
     *start = first_exposure_s(array.timing, array.samples, array.lines) +
              lines.first * line_period_s(array.timing);
@@ -177,7 +177,7 @@ void cut_all_lines(const BuildContext& context, const CheckedElement& element,
   if (!part) return;
   const int base = first.lines;
   for (ArrayInput& array : camera.arrays) {
-    const Part own = scaled(*part, array.lines, base);
+    const CutPart own = scaled(*part, array.lines, base);
     if (is_scanned(array.timing)) {
       array.lines = pass_lines(own.count, array.timing);
     } else {

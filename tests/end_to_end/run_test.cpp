@@ -35,8 +35,8 @@ std::map<std::string, std::string> run_yard(const std::string& options) {
 
 TEST_CASE("the products are the same bytes for 1, 2 and 7 threads", "[end_to_end]") {
   const auto one = run_yard("--threads 1");
-  // Radiance, error, truth, material, object and place as ENVI, EXR, quick look and STAC item of two
-  // arrays; brightness temperatures of one; image support data by band.
+  // Radiance, error, truth, material, object and place as ENVI, EXR, quick look and STAC item of
+  // two arrays; brightness temperatures of one; image support data by band.
   REQUIRE(one.size() == 35);
   for (const char* threads : {"2", "7"}) {
     const auto several = run_yard(std::string{"--threads "} + threads);
