@@ -61,6 +61,7 @@ void check_element(const PhotonDetector& element) {
   require_in_range("a doubling of the dark current, K,", element.dark_doubling_k, positive);
   require_in_range("a read noise, electrons,", element.read_noise_e, at_least_zero);
   require_in_range("a line noise, electrons,", element.line_noise_e, at_least_zero);
+  require_in_range("a flicker noise, electrons,", element.flicker_noise_e, at_least_zero);
   require_in_range("a correlation from line to line", element.line_correlation, below_1);
   require_in_range("a photo-response non-uniformity", element.prnu, below_1);
   require_in_range("a dark-signal non-uniformity, electrons,", element.dsnu_e, at_least_zero);

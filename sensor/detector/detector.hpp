@@ -29,8 +29,9 @@ struct PhotonDetector {
   double temperature_k = 293.15, dark_reference_k = 293.15;
   double dark_doubling_k = 7.0;   ///< dark current doubles every so many K
   double read_noise_e = 0.0;      ///< rms
-  double line_noise_e = 0.0;      ///< 1/f noise: rms of the stripes from line to line
+  double line_noise_e = 0.0;      ///< rms of the stripes from line to line
   double line_correlation = 0.0;  ///< of a stripe with the next line's, [0, 1)
+  double flicker_noise_e = 0.0;   ///< 1/f noise from line to line: rms (line_noise.hpp)
   double prnu = 0.0;              ///< rms over detectors, relative
   double dsnu_e = 0.0;            ///< rms over detectors
   double full_well_e = 0.0;       ///< > 0

@@ -48,6 +48,12 @@ FixedPattern::Rms rms_of(const Detector& detector) noexcept {
              : FixedPattern::Rms{photons->prnu, photons->dsnu_e, detector.dead_share};
 }
 
+LineNoise::Rms line_rms(const Detector& detector) noexcept {
+  const auto* photons = std::get_if<PhotonDetector>(&detector.element);
+  if (photons == nullptr) return {};
+  return {photons->line_noise_e, photons->line_correlation, photons->flicker_noise_e};
+}
+
 /// Published figures are of calibrated images: their light does not fall off.
 double falloff_power(const Detector& detector) noexcept {
   return std::holds_alternative<PhotonDetector>(detector.element) ? detector.optics.falloff_power
@@ -100,8 +106,7 @@ SignalChain::Photons SignalChain::folded(const DetectorArray& array, std::size_t
   p.dark = seconds * element.dark_e_s *
            std::exp2((element.temperature_k - element.dark_reference_k) / element.dark_doubling_k);
   p.read = element.read_noise_e;
-  p.stripe = element.line_noise_e;
-  p.stripe_memory = element.line_correlation;
+  p.line = line_rms(detector);
   p.full_well = element.full_well_e;
   p.dn_per_electron = detector.digitiser.gain_dn_e.value_or(
       (top_of(detector.digitiser) - detector.digitiser.black_level_dn) / element.full_well_e);
@@ -136,7 +141,8 @@ SignalChain::SignalChain(const DetectorArray& array, std::size_t band, const Det
       falloff_{array, falloff_power(detector)},
       falloff_over_image_{spread_falloff(array, falloff_power(detector))},
       // Apart from the pattern's numbers though the two seeds be alike.
-      noise_key_{mix(band_key(noise_seed, array, band), 1)} {}
+      noise_key_{mix(band_key(noise_seed, array, band), 1)},
+      line_noise_{line_rms(detector)} {}
 
 double SignalChain::digitised(double dn) const noexcept {
   return std::clamp(std::floor(dn + 0.5), 0.0, top_dn_);
@@ -148,13 +154,7 @@ void SignalChain::next_line() {
   falloff_.line(line_);
   const auto counter = static_cast<std::uint64_t>(line_);
   line_key_ = mix(noise_key_, counter);
-  const auto* photons = std::get_if<Photons>(&element_);
-  if (photons == nullptr || photons->stripe == 0.0) return;
-  // AR(1) with a constant variance: s' = rho s + sqrt(1 - rho^2) sigma z.
-  const std::uint64_t own = mix(line_key_, ~std::uint64_t{0});
-  const double z = normal_pair(mix(own, 0), mix(own, 1)).x;
-  const double rho = line_ == 0 ? 0.0 : photons->stripe_memory;
-  stripe_ = rho * stripe_ + std::sqrt(1.0 - rho * rho) * photons->stripe * z;
+  of_line_ = line_noise_.next(mix(line_key_, ~std::uint64_t{0}));
 }
 
 SignalChain::Pixel SignalChain::pixel(const Photons& p, double radiance, std::size_t sample) const {
@@ -167,7 +167,7 @@ SignalChain::Pixel SignalChain::pixel(const Photons& p, double radiance, std::si
                           ? poisson_by_sum(mean, to_unit(mix(line_key_, own + 2)))
                           : poisson_by_normal(mean, z.x);
   const double charge = std::min(shot, p.full_well);
-  const double read_out = charge + pattern_.offset(sample) + p.read * z.y + stripe_;
+  const double read_out = charge + pattern_.offset(sample) + p.read * z.y + of_line_;
   double dn = digitised(p.dn_per_electron * read_out + black_dn_);
   if (flat_ && falloff != 1.0) {
     const double without_light = black_dn_ + p.dn_per_electron * (p.background + p.dark);
@@ -189,7 +189,8 @@ SignalChain::Pixel SignalChain::pixel(const Published& p, double radiance,
 
 double SignalChain::converted_variance(const Photons& p, double radiance, double falloff) {
   const double mean = std::max(p.per_radiance * falloff * radiance, 0.0) + p.background + p.dark;
-  const double electrons = mean + p.read * p.read + p.stripe * p.stripe;
+  const double electrons =
+      mean + p.read * p.read + p.line.stripe * p.line.stripe + p.line.flicker * p.line.flicker;
   return electrons * p.dn_per_electron * p.dn_per_electron + rounding_variance;
 }
 

@@ -8,6 +8,7 @@
 #include "sensor/camera/detector_array.hpp"
 #include "sensor/detector/detector.hpp"
 #include "sensor/detector/fixed_pattern.hpp"
+#include "sensor/detector/line_noise.hpp"
 
 namespace nadir::sensor {
 
@@ -52,7 +53,8 @@ class SignalChain {
     double per_radiance = 0.0;  ///< electrons on the axis
     double background = 0.0;    ///< electrons of the optics' own light
     double dark = 0.0;          ///< electrons
-    double read = 0.0, stripe = 0.0, stripe_memory = 0.0;
+    double read = 0.0;
+    LineNoise::Rms line{};
     double full_well = 0.0;
     double dn_per_electron = 0.0;
   };
@@ -91,8 +93,9 @@ class SignalChain {
   FallOff falloff_;
   std::vector<double> falloff_over_image_;  ///< at places spread over it; empty: 1 everywhere
   std::uint64_t noise_key_, line_key_ = 0;
-  int line_ = -1;        ///< the current one
-  double stripe_ = 0.0;  ///< of the current line, electrons
+  int line_ = -1;  ///< the current one
+  LineNoise line_noise_;
+  double of_line_ = 0.0;  ///< noise of the current line, electrons
 };
 
 }  // namespace nadir::sensor

@@ -27,7 +27,8 @@ std::uint16_t saturated_from(const sensor::Detector& detector) {
   if (photons == nullptr) return static_cast<std::uint16_t>(top);
   const double black = digitiser.black_level_dn;
   const double dn_per_e = digitiser.gain_dn_e.value_or((top - black) / photons->full_well_e);
-  const double noise_e = std::hypot(photons->read_noise_e, photons->line_noise_e, photons->dsnu_e);
+  const double noise_e = std::hypot(std::hypot(photons->read_noise_e, photons->line_noise_e),
+                                    photons->flicker_noise_e, photons->dsnu_e);
   const double full = black + dn_per_e * (photons->full_well_e - 3.0 * noise_e);
   return static_cast<std::uint16_t>(std::clamp(std::floor(full), 1.0, top));
 }

@@ -44,6 +44,7 @@ sensor::PhotonDetector load_photons(const PhotonDetectorInput& input, const Band
   photons.read_noise_e = input.read_noise_e;
   photons.line_noise_e = input.line_noise_e;
   photons.line_correlation = input.line_correlation;
+  photons.flicker_noise_e = input.flicker_noise_e;
   photons.prnu = input.prnu;
   photons.dsnu_e = input.dsnu_e;
   photons.full_well_e = input.full_well_e;

@@ -66,6 +66,7 @@ PhotonDetectorInput build_photons(const CheckedElement& element) {
   photons.read_noise_e = element.number("read_noise_e");
   photons.line_noise_e = element.number("line_noise_e");
   photons.line_correlation = element.number("line_correlation");
+  photons.flicker_noise_e = element.number("flicker_noise_e");
   photons.prnu = element.number("prnu");
   photons.dsnu_e = element.number("dsnu_e");
   photons.full_well_e = element.number("full_well_e");

@@ -139,6 +139,7 @@ struct PhotonDetectorInput {
   std::optional<double> dark_reference_k{};  ///< none: dark_e_s is that at temperature_k
   double dark_doubling_k = 7.0;
   double read_noise_e = 0.0, line_noise_e = 0.0, line_correlation = 0.0;
+  double flicker_noise_e = 0.0;
   double prnu = 0.0, dsnu_e = 0.0, full_well_e = 0.0;
 };
 /// Bands say how much.
