@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/normal_pair.hpp"
 #include "sensor/camera/focal_plane.hpp"
 
 namespace nadir::sensor {
@@ -105,13 +105,6 @@ void draw_moment(const Timing& timing, const Sampler& numbers, Exposed& at) noex
     const double age = std::min(-std::log1p(-numbers.number(PathNumber::age)), most_lags);
     at.time_s -= age * timing.lag_s;
   }
-}
-
-// Two standard normal numbers from a point (Box and Muller, Ann. Math. Stat. 29, 610, 1958).
-Vec2 normal_pair(Vec2 point) noexcept {
-  const double radius = std::sqrt(-2.0 * std::log1p(-point.x));
-  const double angle = 2.0 * std::numbers::pi * point.y;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 Pose shaken_pose(const Platform& platform, double time_s, const Sampler& numbers) noexcept {

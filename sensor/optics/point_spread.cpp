@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/normal_pair.hpp"
 #include "sensor/optics/diffraction_mix.hpp"
 #include "sensor/optics/spread_picture.hpp"
 #include "sensor/optics/stray_light.hpp"
@@ -133,9 +134,7 @@ PointSpread::Draw PointSpread::draw(const Sampler& numbers, std::uint32_t first)
   // Light that the optics throw from its ideal place by `core` is met by going back.
   drawn.displacement_m = {-core.x, -core.y};
   if (t.sigma_x_m > 0.0 || t.sigma_y_m > 0.0) {
-    // Box and Muller; the argument of the logarithm is in (0, 1].
-    const Vec2 u = numbers.point(first + 2);
-    const Vec2 normal = turned(std::sqrt(-2.0 * std::log(1.0 - u.x)), u.y);
+    const Vec2 normal = normal_pair(numbers.point(first + 2));
     drawn.displacement_m.x += t.sigma_x_m * normal.x;
     drawn.displacement_m.y += t.sigma_y_m * normal.y;
   }
