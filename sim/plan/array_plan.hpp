@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sensor/camera/detector_array.hpp"
+#include "sim/scenario/band_nodes.hpp"
 #include "spectral/band_quadrature.hpp"
 
 namespace nadir::sim {
@@ -13,7 +15,9 @@ struct ArrayPlan {
   spectral::SpectralPlan lanes;                       ///< their wavelengths, merged into blocks
 };
 
-/// @param wavelengths_per_band  nodes of each band's quadrature
-[[nodiscard]] ArrayPlan plan_array(const sensor::DetectorArray& array, int wavelengths_per_band);
+/// @param nodes   of each band's quadrature
+/// @param number  of the array, by which `nodes` knows it
+[[nodiscard]] ArrayPlan plan_array(const sensor::DetectorArray& array, const BandNodes& nodes,
+                                   std::size_t number);
 
 }  // namespace nadir::sim

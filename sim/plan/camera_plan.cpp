@@ -135,30 +135,31 @@ WavelengthRange wavelength_range(const CameraPlan& plan) {
   return range;
 }
 
-CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band) {
+CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays,
+                       const BandNodes& per_band) {
   CameraPlan plan;
-  for (const sensor::DetectorArray& array : arrays) {
-    plan.arrays.push_back(plan_array(array, wavelengths_per_band));
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    plan.arrays.push_back(plan_array(arrays[i], per_band, i));
   }
   return plan;
 }
 
-AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band) {
-  return distinct(nodes_of(arrays, plan_camera(arrays, wavelengths_per_band)));
+AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays, const BandNodes& per_band) {
+  return distinct(nodes_of(arrays, plan_camera(arrays, per_band)));
 }
 
-CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band,
+CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, const BandNodes& per_band,
                        const atmosphere::Layered& air, const atmosphere::AirSettings& settings) {
-  CameraPlan plan = plan_camera(arrays, wavelengths_per_band);
+  CameraPlan plan = plan_camera(arrays, per_band);
   const CameraNodes nodes = nodes_of(arrays, plan);
   plan.air = air_lanes(nodes, air, settings);
   split(nodes, plan);
   return plan;
 }
 
-CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, int wavelengths_per_band,
+CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays, const BandNodes& per_band,
                        const atmosphere::AirTable& table) {
-  CameraPlan plan = plan_camera(arrays, wavelengths_per_band);
+  CameraPlan plan = plan_camera(arrays, per_band);
   const bool is_split = std::any_of(table.lanes.begin(), table.lanes.end(), [](const auto& lane) {
     return lane.absorption != AbsorptionLane{};
   });

@@ -30,11 +30,11 @@ struct WavelengthRange {
 
 /// The nodes of all bands and the part of its band that each stands for, each once; no lanes yet.
 [[nodiscard]] AirLanes air_nodes(const std::vector<sensor::DetectorArray>& arrays,
-                                 int wavelengths_per_band);
+                                 const BandNodes& per_band);
 
 /// Plans for air that absorbs alike over each band's nodes.
 [[nodiscard]] CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays,
-                                     int wavelengths_per_band);
+                                     const BandNodes& per_band);
 
 /// Plans for air in layers. Each node of a band's quadrature stands for the part of the band that
 /// is its share of the response (spectral::interval_edges); the gases split it into lanes that each
@@ -42,13 +42,13 @@ struct WavelengthRange {
 /// arrays and bands have in common are solved once.
 /// @throws InputError where the figures of gases do not reach a band
 [[nodiscard]] CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays,
-                                     int wavelengths_per_band, const atmosphere::Layered& air,
+                                     const BandNodes& per_band, const atmosphere::Layered& air,
                                      const atmosphere::AirSettings& settings);
 
 /// Plans for a table from elsewhere. Where its lanes are split by gases, the camera's must be those
 /// that it was made for; a table of plain wavelengths serves any lane between them.
 /// @throws InputError for a band whose lanes the split table has not
 [[nodiscard]] CameraPlan plan_camera(const std::vector<sensor::DetectorArray>& arrays,
-                                     int wavelengths_per_band, const atmosphere::AirTable& table);
+                                     const BandNodes& per_band, const atmosphere::AirTable& table);
 
 }  // namespace nadir::sim

@@ -62,7 +62,7 @@ void warn_of_error(const AirTable& table, const SourceLocation& where, Diagnosti
 }
 
 /// Computes the table of air in layers, or finds it in the cache.
-AirTable solve(const LayeredTask& task, const World& world, int wavelengths_per_band,
+AirTable solve(const LayeredTask& task, const World& world, const BandNodes& wavelengths_per_band,
                const AirCacheOptions& cache, ReportValues& values, Diagnostics& diagnostics) {
   const ephemeris::Illumination& bodies = world.scene.illumination;
   const std::vector<sensor::DetectorArray>& arrays = world.camera.arrays;

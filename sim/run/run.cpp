@@ -31,7 +31,7 @@ ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
           {"min_quad_samples", integer(solver.min_quad_samples)},
           {"replicates", integer(scenario.sampling.replicates)},
           {"samples_per_replicate", integer(scenario.sampling.samples_per_replicate)},
-          {"wavelengths_per_band", integer(scenario.sampling.wavelengths_per_band)},
+          {"wavelengths_per_band", integer(scenario.sampling.wavelengths_per_band.everywhere)},
           {"seed", integer(options.seed)},
           {"threads", integer(options.threads > 0 ? options.threads : available_threads())}};
 }

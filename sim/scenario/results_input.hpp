@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/scenario/band_nodes.hpp"
+
 // How much work a picture gets, and which files are written.
 
 namespace nadir::sim {
@@ -10,7 +12,7 @@ namespace nadir::sim {
 struct SamplingInput {
   int replicates = 4;             ///< independent scramblings that yield the standard error, >= 4
   int samples_per_replicate = 2;  ///< paths per pixel and replicate
-  int wavelengths_per_band = 4;   ///< nodes of each band's Gauss quadrature
+  BandNodes wavelengths_per_band = 4;  ///< nodes of each band's Gauss quadrature
 };
 
 struct ProductsInput {
