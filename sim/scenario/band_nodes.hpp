@@ -10,11 +10,12 @@ struct BandNodes {
   // NOLINTNEXTLINE(google-explicit-constructor): a number says all there is to say
   constexpr BandNodes(int everywhere_ = 4) : everywhere{everywhere_} {}
 
-  int everywhere = 4;                        ///< 0: chosen by the planner
+  int everywhere = 4;                        ///< 0: chosen by the planner; 4 until then
   std::vector<std::vector<int>> by_array{};  ///< by array and band; empty: everywhere the same
 
   [[nodiscard]] int of(std::size_t array, std::size_t band) const {
-    return by_array.empty() ? everywhere : by_array.at(array).at(band);
+    if (!by_array.empty()) return by_array.at(array).at(band);
+    return everywhere > 0 ? everywhere : 4;
   }
   [[nodiscard]] bool operator==(const BandNodes&) const = default;
 };
