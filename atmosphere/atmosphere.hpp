@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "atmosphere/air_parts.hpp"
 #include "atmosphere/path_terms.hpp"
 #include "atmosphere/table/air_table.hpp"
 #include "atmosphere/table/bound_air_table.hpp"
@@ -50,14 +51,17 @@ using Atmosphere = std::variant<None, Uniform, Tabulated>;
 /// An atmosphere at the wavelengths of one block of lanes: what rays look up.
 class BoundAtmosphere {
  public:
-  /// @throws InputError where a curve does not cover the lanes
-  BoundAtmosphere(const Atmosphere& atmosphere, const spectral::Lanes& lanes);
+  /// @param parts  what is wanted: the rest is as without air. What the sensor sees beyond the
+  ///               scene is part of its line of sight
+  /// @throws InputError where a curve that is wanted does not cover the lanes
+  BoundAtmosphere(const Atmosphere& atmosphere, const spectral::Lanes& lanes,
+                  const AirParts& parts = {});
 
   /// Radiance that arrives at a surface from a direction of the open sky, without the discs of sun
   /// and moon. `direction_enu` points away from the surface.
   [[nodiscard]] spectral::Spectrum sky(Vec3 direction_enu) const noexcept;
   /// Whether the sky is alike in all directions.
-  [[nodiscard]] bool even_sky() const noexcept { return !table_ && shape_ == SkyShape::even; }
+  [[nodiscard]] bool even_sky() const noexcept { return even_sky_; }
   /// Share of a body's irradiance that reaches a surface.
   [[nodiscard]] spectral::Spectrum direct_transmittance(Vec3 direction_enu) const noexcept;
   /// Share of a body's radiance that reaches the sensor's eye when it looks at the disc itself:
@@ -69,9 +73,17 @@ class BoundAtmosphere {
   [[nodiscard]] spectral::Spectrum beyond(Vec3 eye, Vec3 direction) const noexcept;
 
  private:
-  spectral::Spectrum sky_;     // even part
-  spectral::Spectrum shaped_;  // part that follows shape_, where that is not even
+  /// The light of uniform air's sky.
+  struct Dome {
+    spectral::Spectrum even;    // that part of it
+    spectral::Spectrum shaped;  // part that follows the sky's shape, where that is not even
+    [[nodiscard]] spectral::Spectrum towards(Vec3 direction, SkyShape shape) const noexcept;
+  };
+  void bind(const Uniform& air, const spectral::Lanes& lanes, const AirParts& parts);
+
+  Dome sky_, beyond_;  // as surfaces see it, and the sensor
   SkyShape shape_ = SkyShape::even;
+  bool even_sky_ = true, loses_ = true;  // loses_: on the line of sight
   spectral::Spectrum direct_;
   PathTerms path_;
   std::optional<BoundAirTable> table_;  // in place of all others

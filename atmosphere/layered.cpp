@@ -84,6 +84,7 @@ AirTable make_air_table(const Layered& air, const AirSettings& settings,
       throw InputError("expected lanes as they were split for this air");
     }
     job.lanes.push_back({wavelengths.at(source).value, lane.absorption, lane.weight});
+    job.wanted.push_back(lane.wanted);
   }
   job.column = [&](std::size_t lane) {
     return maker.column(Micrometres{job.lanes[lane].wavelength_um}, lanes[lane].gas_depth);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "atmosphere/air_parts.hpp"
 #include "atmosphere/gases/band_tables.hpp"
 #include "atmosphere/night/night_sky.hpp"
 #include "atmosphere/particles/particles.hpp"
@@ -48,6 +49,7 @@ struct SplitLane {
   double weight = 1.0;
   /// Vertical optical depth of all gases by layer of the air that it was split for.
   std::vector<double> gas_depth{};
+  AirParts wanted{};  ///< what the lane is to be solved for
 };
 /// @param wavelengths  ascending; absorption(i) holds the interval
 [[nodiscard]] std::vector<SplitLane> split_lanes(const Layered& air, const AirSettings& settings,
@@ -58,7 +60,8 @@ struct SolveCounts;
 
 /// Solves the air at all lanes and tabulates it. Threaded over lanes (oneTBB); the result does not
 /// depend on the number of threads. A body below 18 degrees under the horizon is left out. Light
-/// from outside the air is its mean over a lane's interval.
+/// from outside the air is its mean over a lane's interval. What a lane does not want is not
+/// solved, and 0 in the table; where none wants anything of the line of sight there are no views.
 /// @param counts  if given, what was solved is added (make/lane_fields.hpp)
 /// @throws InputError  the observer inside the ground, the ground below the first level, a spectrum
 ///                     that does not cover the lanes

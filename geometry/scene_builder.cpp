@@ -102,7 +102,9 @@ void gather_mesh(GatheredItem& item, const TriangleMesh& mesh, const Affine& pla
   item.triangles = mesh.triangles;
   item.positions.reserve(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3 position = placement.point(mesh.positions[i]);
+    // Infinity less infinity would be what the placement makes of it: looked at before.
+    const bool finite = is_finite(mesh.positions[i]);
+    const Vec3 position = finite ? placement.point(mesh.positions[i]) : mesh.positions[i];
     if (!is_finite(position) || largest(position) > farthest_m) {
       throw InputError{"vertex " + std::to_string(i) + " is not finite or beyond 1e15 m"};
     }

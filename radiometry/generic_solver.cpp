@@ -70,7 +70,7 @@ Spectrum GenericSolver::scattered_radiance(const Visit& visit) {
   const int draws = scene_->lamps().empty() ? 0 : std::clamp(all / samples_per_lamp_draw, 1, 8);
   const int rays_to_lights = static_cast<int>(scene_->targets().size()) + draws;
   const int lobe_samples =
-      visit.by_lobes() ? std::max(all - rays_to_lights, visit.plan.settings().min_quad_samples) : 0;
+      visit.by_lobes() ? std::max(all - rays_to_lights, visit.minimum(scene_->interreflects())) : 0;
   // Direct-only samples end at a clear sheet, through which shadow rays pass: where they are all
   // that is left the lights are the shadow rays' alone.
   const int sharing = all == 0 && scene_->has_sheets() ? 0 : lobe_samples;
@@ -87,6 +87,9 @@ Spectrum GenericSolver::scattered_radiance(const Visit& visit) {
 
 int GenericSolver::full_samples(const Visit& visit) {
   const materials::SolverSettings& settings = visit.plan.settings();
+  // Without interreflection nothing is asked of what a sample hits but what it emits. Behind a
+  // clear sheet all is as before it.
+  if (!scene_->interreflects() && !visit.point.material().traits.straight) return 0;
   if (visit.generation >= settings.max_bounces) {
     ++counters_.bounce_limit_stops;
     return 0;
@@ -98,11 +101,12 @@ int GenericSolver::full_samples(const Visit& visit) {
 // ---- lights -----------------------------------------------------------------------------------
 
 int GenericSolver::add_targets(const Visit& visit, int lobe_samples, SpectrumSum& sum) {
+  const bool shadows = scene_->shadows();
   int sampled = 0;
-  std::uint32_t number = first_target;
   for (const Target& target : scene_->targets()) {
+    const std::uint32_t number = first_target + target.number;
     const Sampler shadow = visit.sampler.child(number);
-    const Vec3 towards = direction_in_disc(target, visit.sampler.point(number++));
+    const Vec3 towards = direction_in_disc(target, visit.sampler.point(number));
     if (towards.z <= 0.0) continue;  // set behind the horizon
     Sample sample{visit, towards};
     if (!sample.possible) continue;
@@ -111,8 +115,12 @@ int GenericSolver::add_targets(const Visit& visit, int lobe_samples, SpectrumSum
       continue;
     }
     ++sampled;
-    ++counters_.target_rays;
     sample.factor *= target.irradiance;
+    if (!shadows) {
+      sum.add(sample.factor, 1.0);
+      continue;
+    }
+    ++counters_.target_rays;
     if (!passes(*scene_, visit.point.leaving(towards), shadow, sample.factor)) continue;
     sum.add(sample.factor,
             1.0 / (1.0 + lobe_samples * lobe_density(visit, towards) * target.solid_angle));
@@ -135,8 +143,12 @@ int GenericSolver::add_lamps(const Visit& visit, int draws, int lobe_samples, Sp
       continue;
     }
     ++sampled;
-    ++counters_.lamp_rays;
     sample.factor *= lamp->irradiance;
+    if (!scene_->shadows()) {
+      sum.add(sample.factor, 1.0 / draws);
+      continue;
+    }
+    ++counters_.lamp_rays;
     const Ray ray =
         ray_to_lamp(visit.point.leaving(lamp->direction).origin, visit.point.hit().position, *lamp);
     const Sampler numbers =
@@ -159,7 +171,7 @@ void GenericSolver::add_quads(const Visit& visit, int budget, SpectrumSum& sum) 
   const ImportanceTable& table = *visit.plan.importance();
   const int quads = table.quads();
   if (budget == 0) {  // the top-up alone: nothing to deal out
-    if (visit.plan.settings().min_quad_samples == 0) return;
+    if (visit.minimum(scene_->interreflects()) == 0) return;
     for (int quad = 0; quad < quads; ++quad) add_quad(visit, quad, {0, 0.0}, sum);
     return;
   }
@@ -194,7 +206,7 @@ GenericSolver::Kind GenericSolver::admitted(const Sample& sample, bool full) {
 void GenericSolver::add_quad(const Visit& visit, int quad, const SystematicAllocation::Share& share,
                              SpectrumSum& sum) {
   const QuadHemisphere& quads = visit.plan.quads();
-  const int minimum = visit.plan.settings().min_quad_samples;
+  const int minimum = visit.minimum(scene_->interreflects());
   const int count = std::max(share.count, minimum);
   if (count == 0) return;
   const double scattered_share = share.expected > 0.0 ? quads.solid_angle() / share.expected : 0.0;
@@ -228,7 +240,9 @@ void GenericSolver::add_lobes(const Visit& visit, const LobeSamples& samples, Sp
     if (!drawn) continue;
     const Vec3 towards = visit.point.outgoing(drawn->wi);
     const double weight = largest(drawn->weight);
-    const Kind kind = admitted(Sample{drawn->weight, weight, visit.weight * weight}, n < full);
+    const bool straight = drawn->delta && visit.goes_straight(drawn->wi);
+    const bool solved = n < full && (straight || scene_->interreflects());
+    const Kind kind = admitted(Sample{drawn->weight, weight, visit.weight * weight}, solved);
     if (kind == Kind::none) continue;
     Arrival arrival{drawn->weight, 1.0 / count,           full > 0 ? 1.0 / full : 0.0,
                     kind,          visit.weight * weight, visit.generation + 1};
@@ -236,10 +250,7 @@ void GenericSolver::add_lobes(const Visit& visit, const LobeSamples& samples, Sp
     arrival.lights = {share_lights || drawn->delta, drawn->delta ? 0.0 : count * density,
                       visit.point.hit().position, visit.point.lit_normal(), lamp_draws};
     // Shadow rays go straight through sheets, too: behind one lights count as before it.
-    if (drawn->delta && visit.came != nullptr && visit.point.material().traits.straight &&
-        dot(drawn->wi, visit.point.wo()) < -(1.0 - 1e-12)) {
-      arrival.lights = visit.came->lights;
-    }
+    if (straight && visit.came != nullptr) arrival.lights = visit.came->lights;
     gather(visit.point.leaving(towards), arrival, own, sum);
   }
 }
@@ -261,16 +272,20 @@ void GenericSolver::receive(const Ray& ray, const std::optional<Hit>& hit, Arriv
     add_sky(ray, arrival, sum);
     return;
   }
+  const bool emits = scene_->emits();
   Spectrum scratch;
-  const Spectrum* even = scene_->even_emission(*hit, scratch);
+  const Spectrum* even = emits ? scene_->even_emission(*hit, scratch) : nullptr;
   if (even != nullptr) sum.add_product(arrival.factor, *even, arrival.direct_share);
   if (arrival.lights.seen && !scene_->lamps().empty()) add_lamp_surface(ray, *hit, arrival, sum);
-  if (even != nullptr && arrival.kind != Kind::full) return;
+  const bool reflects =
+      arrival.kind == Kind::full && (!arrival.of_volume || scene_->interreflects());
+  const bool by_direction = emits && even == nullptr;
+  if (!by_direction && !reflects) return;
   const SurfacePoint point{*scene_, ray, *hit};
-  if (even == nullptr) {
+  if (by_direction) {
     sum.add_product(arrival.factor, emission(*scene_, point), arrival.direct_share);
   }
-  if (arrival.kind != Kind::full) return;
+  if (!reflects) return;
   Visit next{*scene_, point, arrival.weight, arrival.generation, numbers};
   next.came = &arrival;
   sum.add_product(arrival.factor, scattered_radiance(next), arrival.scattered_share);
@@ -285,8 +300,8 @@ void GenericSolver::add_sky(const Ray& ray, const Arrival& arrival, SpectrumSum&
   if (!arrival.lights.seen) return;
   for (const Target& target : scene_->targets()) {
     if (!target.covers(ray.direction)) continue;
-    const double density = arrival.lights.density;
-    const double share = density > 0.0 ? density / (density + 1.0 / target.solid_angle) : 1.0;
+    const double share = share_of_lobes(arrival.lights.density, 1.0 / target.solid_angle);
+    if (!(share > 0.0)) continue;
     const Spectrum disc = arrival.at_sensor
                               ? target.outside * air.disc_transmittance(ray.origin, ray.direction)
                               : target.radiance;
@@ -298,13 +313,20 @@ void GenericSolver::add_lamp_surface(const Ray& ray, const Hit& hit, const Arriv
                                      SpectrumSum& sum) const {
   const auto lamp = scene_->lamps().radiance(ray, hit);
   if (!lamp) return;
-  double share = 1.0;
-  if (arrival.lights.density > 0.0) {
-    const LightsAlong& from = arrival.lights;
-    const double other = from.lamp_draws * scene_->lamps().pdf(from.origin, from.normal, ray, hit);
-    share = from.density / (from.density + other);
+  const LightsAlong& from = arrival.lights;
+  double other = 0.0;
+  if (from.density > 0.0) {
+    other = from.lamp_draws * scene_->lamps().pdf(from.origin, from.normal, ray, hit);
   }
-  sum.add_product(arrival.factor, *lamp, share * arrival.direct_share);
+  sum.add_product(arrival.factor, *lamp,
+                  share_of_lobes(from.density, other) * arrival.direct_share);
+}
+
+/// Of a light that a lobe's sample meets, beside the rays that are sent to it with the density
+/// `other`: without shadows those, which nothing stops, bring all of it.
+double GenericSolver::share_of_lobes(double density, double other) const noexcept {
+  if (!(density > 0.0)) return 1.0;
+  return scene_->shadows() || !(other > 0.0) ? density / (density + other) : 0.0;
 }
 
 }  // namespace nadir::radiometry

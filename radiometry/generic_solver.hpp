@@ -27,6 +27,9 @@ namespace nadir::radiometry {
 /// bounce limit, from the sample budget where targets use it up, and from the thresholds, which are
 /// counted.
 ///
+/// Where the scene leaves interreflection out all samples are direct-only but those that go
+/// straight through a clear sheet; without shadows no rays are traced to lights.
+///
 /// One solver serves one thread: it counts what it does.
 class GenericSolver {
  public:
@@ -80,6 +83,7 @@ class GenericSolver {
   void cross_volumes(const geometry::Ray& ray, double distance, Arrival& arrival,
                      const Sampler& numbers, spectral::SpectrumSum& sum);
   void add_sky(const geometry::Ray& ray, const Arrival& arrival, spectral::SpectrumSum& sum) const;
+  [[nodiscard]] double share_of_lobes(double density, double other) const noexcept;
   void add_lamp_surface(const geometry::Ray& ray, const geometry::Hit& hit, const Arrival& arrival,
                         spectral::SpectrumSum& sum) const;
   [[nodiscard]] spectral::Spectrum scattered_in_volume(const geometry::Ray& ray,

@@ -73,6 +73,16 @@ struct GenericSolver::Visit {
   }
 
   [[nodiscard]] bool by_lobes() const { return !plan.importance().has_value(); }
+  /// Fewest samples of a quad, or of a lobe: the stated ones, but one at least where there are no
+  /// others.
+  [[nodiscard]] int minimum(bool interreflects) const {
+    const int stated = plan.settings().min_quad_samples;
+    return interreflects ? stated : std::max(1, stated);
+  }
+  /// Whether light goes on straight through: as if the surface had not been there.
+  [[nodiscard]] bool goes_straight(Vec3 wi) const {
+    return point.material().traits.straight && dot(wi, point.wo()) < -(1.0 - 1e-12);
+  }
 };
 
 /// A direction that light may come from.
@@ -116,6 +126,7 @@ struct GenericSolver::Arrival {
   int generation = 0;  // of the hit
   LightsAlong lights{};
   bool at_sensor = false;  // the air between is to be added where nothing is hit
+  bool of_volume = false;  // it was scattered in a volume
 };
 
 }  // namespace nadir::radiometry

@@ -43,18 +43,19 @@ Spectrum GenericSolver::scattered_in_volume(const Ray& ray, const VolumeEvent& e
   const Kind kind = admitted(Sample{drawn.weight, strongest, weight * strongest}, full);
   if (kind == Kind::none) return sum.spectrum();
   Arrival next{drawn.weight, 1.0, 1.0, kind, weight * strongest, arrival.generation + 1};
+  next.of_volume = true;
   gather({event.position, drawn.direction}, next, numbers.child(0), sum);
   return sum.spectrum();
 }
 
 void GenericSolver::add_volume_lights(const VolumeEvent& event, Vec3 wo, const Sampler& numbers,
                                       SpectrumSum& sum) {
-  std::uint32_t number = first_target;
   for (const Target& target : scene_->targets()) {
+    const std::uint32_t number = first_target + target.number;
     const Sampler shadow = numbers.child(number);
-    const Vec3 towards = direction_in_disc(target, numbers.point(number++));
+    const Vec3 towards = direction_in_disc(target, numbers.point(number));
     if (towards.z <= 0.0) continue;
-    ++counters_.target_rays;
+    if (scene_->shadows()) ++counters_.target_rays;
     Spectrum light = event.phase->eval(towards, wo) * target.irradiance;
     if (passes(*scene_, {event.position, towards}, shadow, light)) sum.add(light);
   }
@@ -63,7 +64,7 @@ void GenericSolver::add_volume_lights(const VolumeEvent& event, Vec3 wo, const S
       scene_->lamps().sample(event.position, {}, numbers.number(Dimension::lamp_choice),
                              numbers.point(Dimension::lamp_place));
   if (!lamp) return;
-  ++counters_.lamp_rays;
+  if (scene_->shadows()) ++counters_.lamp_rays;
   Spectrum light = event.phase->eval(lamp->direction, wo) * lamp->irradiance;
   const Ray ray = ray_to_lamp(event.position, event.position, *lamp);
   if (passes(*scene_, ray, numbers.child(Dimension::lamp_choice), light)) sum.add(light);

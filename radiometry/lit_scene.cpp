@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "core/frame.hpp"
+#include "radiometry/air_effects.hpp"
 #include "radiometry/emission_rule.hpp"
+#include "radiometry/leaf_effect.hpp"
 #include "spectral/coverage.hpp"
 #include "spectral/planck.hpp"
 
@@ -16,14 +18,22 @@ using spectral::Spectrum;
 
 constexpr std::uint32_t map_choice = 0x6D61;  // purpose of the random number that a map draws with
 
+/// Whether light of a body is simulated.
+bool reflects(const ephemeris::LightSource& body, EffectSet effects) {
+  return effects.has(body.name == "moon" ? Effect::lunar_reflection : Effect::solar_reflection);
+}
+
 std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumination,
                                           const atmosphere::BoundAtmosphere& air,
-                                          const spectral::Lanes& lanes) {
+                                          const spectral::Lanes& lanes, EffectSet effects) {
   std::vector<Target> targets;
+  std::uint32_t number = 0;
   for (const ephemeris::LightSource& body : illumination) {
     const double sin_radius = std::sin(body.angular_radius.value);
     if (body.direction_enu.z <= -sin_radius) continue;   // the whole disc is below
     if (!(body.irradiance.max_value() > 0.0)) continue;  // a dark body costs no rays
+    const std::uint32_t own = number++;
+    if (!reflects(body, effects)) continue;
     const double cos_radius = std::cos(body.angular_radius.value);
     // E is what falls on a plane normal to the direction of the disc's centre, E = L pi sin^2 r for
     // a disc of radiance L; directions are drawn uniformly over its solid angle 2 pi (1 - cos r).
@@ -35,9 +45,17 @@ std::vector<Target> targets_above_horizon(const ephemeris::Illumination& illumin
         spectral::mean_at_all(body.irradiance, lanes, "the " + body.name + "'s irradiance");
     const Spectrum irradiance = outside * air.direct_transmittance(body.direction_enu);
     targets.push_back({body.direction_enu, sin_radius, cos_radius, disc * 2.0 / (1.0 + cos_radius),
-                       irradiance * spread, irradiance * per_disc, outside * per_disc});
+                       irradiance * spread, irradiance * per_disc, outside * per_disc, own});
   }
   return targets;
+}
+
+/// Lamps or volumes, where their effect is simulated.
+template <class Thing>
+const std::vector<Thing>& wanted(const std::vector<Thing>& things, EffectSet effects,
+                                 Effect effect) {
+  static const std::vector<Thing> none;
+  return effects.has(effect) ? things : none;
 }
 
 /// Whether a surface of that temperature is seen to emit at any lane.
@@ -63,23 +81,42 @@ void resolve_map(const SceneDescription& scene, geometry::Hit& hit, const Sample
   hit.material = map.at(place, numbers.number(map_choice));
 }
 
-LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics)
+LitScene::LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics,
+                   EffectSet effects)
     : scene_{&scene},
       lanes_{std::move(lanes)},
-      air_{scene.atmosphere, lanes_},
-      targets_{targets_above_horizon(scene.illumination, air_, lanes_)},
+      effects_{effects},
+      air_{scene.atmosphere, lanes_, air_parts(effects)},
+      targets_{targets_above_horizon(scene.illumination, air_, lanes_, effects)},
       sky_{air_},
-      volumes_{scene.volumes, lanes_},
-      lamps_{scene.lamps, lanes_} {
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    materials_.push_back(materials::bind(scene.materials[i], lanes_, diagnostics));
-    const materials::BoundMaterial& bound = materials_.back();
-    if (scene.method == Method::generic) {
-      plans_.emplace_back(bound, scene.materials[i].solver.value_or(scene.solver));
-    }
-    has_sheets_ |= bound.traits.straight;
+      volumes_{wanted(scene.volumes, effects, Effect::volumes), lanes_},
+      lamps_{wanted(scene.lamps, effects, Effect::lamps), lanes_},
+      shadows_{effects.has(Effect::shadows)},
+      interreflects_{effects.has(Effect::interreflection)},
+      emits_{effects.has(Effect::surface_emission)} {
+  bind_materials(diagnostics);
+  if (emits_) bind_temperatures();
+}
+
+void LitScene::bind_materials(Diagnostics& diagnostics) {
+  const SceneDescription& scene = *scene_;
+  for (const materials::Material& material : scene.materials) {
+    materials_.push_back(materials::bind(material, lanes_, diagnostics));
   }
-  bind_temperatures();
+  if (!effects_.has(Effect::leaf_transmission)) {
+    std::vector<materials::BoundMaterial> opaque =
+        without_leaf_transmission({scene.materials, materials_, lanes_});
+    if (!opaque.empty()) {
+      whole_ = std::move(materials_);
+      materials_ = std::move(opaque);
+    }
+  }
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    if (scene.method == Method::generic) {
+      plans_.emplace_back(materials_[i], scene.materials[i].solver.value_or(scene.solver));
+    }
+    has_sheets_ |= materials_[i].traits.straight;
+  }
 }
 
 void LitScene::bind_temperatures() {
@@ -99,6 +136,7 @@ void LitScene::bind_temperatures() {
 }
 
 Spectrum LitScene::black_body(const geometry::Hit& hit) const {
+  if (!emits_) return Spectrum{lanes_.count()};
   if (!varies_[hit.material]) return black_body_[hit.material];
   return planck_->at(scene_->temperature.at(hit).value);
 }

@@ -10,6 +10,7 @@
 #include "geometry/scene.hpp"
 #include "materials/bound_material.hpp"
 #include "materials/maps/material_map.hpp"
+#include "radiometry/effect.hpp"
 #include "radiometry/generic_plan.hpp"
 #include "radiometry/lamps/bound_lamps.hpp"
 #include "radiometry/method.hpp"
@@ -50,6 +51,9 @@ struct Target {
   spectral::Spectrum radiance;    ///< of the disc as surfaces see it, through the air, W m^-2 sr^-1
                                   ///< um^-1
   spectral::Spectrum outside;     ///< of the disc outside the air
+  /// Which of the scene's bodies above the horizon, whatever effects leave out: by it a body's
+  /// random numbers are its own, and images with and without another differ by that one alone.
+  std::uint32_t number = 0;
 
   /// Whether a unit direction meets the part of the disc that is above the horizon.
   [[nodiscard]] bool covers(Vec3 towards) const noexcept {
@@ -60,12 +64,15 @@ struct Target {
 /// A scene at the wavelengths of one block of lanes: what the solvers look up, immutable.
 class LitScene {
  public:
-  /// @throws InputError where a spectrum does not serve the lanes
-  LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics);
+  /// @param effects  what is simulated: the rest is neither bound nor sampled
+  /// @throws InputError where a spectrum that is bound does not serve the lanes
+  LitScene(const SceneDescription& scene, spectral::Lanes lanes, Diagnostics& diagnostics,
+           EffectSet effects = EffectSet::all());
 
   [[nodiscard]] const SceneDescription& description() const noexcept { return *scene_; }
   [[nodiscard]] const geometry::Scene& geometry() const noexcept { return scene_->geometry; }
   [[nodiscard]] const spectral::Lanes& lanes() const noexcept { return lanes_; }
+  [[nodiscard]] EffectSet effects() const noexcept { return effects_; }
   [[nodiscard]] const atmosphere::BoundAtmosphere& air() const noexcept { return air_; }
   [[nodiscard]] const BoundVolumes& volumes() const noexcept { return volumes_; }
   [[nodiscard]] const BoundLamps& lamps() const noexcept { return lamps_; }
@@ -75,12 +82,24 @@ class LitScene {
   [[nodiscard]] const materials::BoundMaterial& material(std::uint32_t index) const noexcept {
     return materials_[index];
   }
+  /// Whether lights cast shadows; without, no ray is sent to them.
+  [[nodiscard]] bool shadows() const noexcept { return shadows_; }
+  /// Whether light is reflected from surface to surface.
+  [[nodiscard]] bool interreflects() const noexcept { return interreflects_; }
+  /// Whether surfaces emit by their temperature.
+  [[nodiscard]] bool emits() const noexcept { return emits_; }
   /// Planck's radiance at the temperature of the surface that was hit.
   [[nodiscard]] spectral::Spectrum black_body(const geometry::Hit& hit) const;
-  /// What a surface emits in all directions alike; null where it depends on the direction.
+  /// What a surface emits in all directions alike; null where it depends on the direction. Asked
+  /// of scenes whose surfaces emit.
   /// @param scratch  may be used for the result
   [[nodiscard]] const spectral::Spectrum* even_emission(const geometry::Hit& hit,
                                                         spectral::Spectrum& scratch) const;
+  /// Emissivity towards a direction of the surface's own frame: that of the true material, whatever
+  /// effects leave out of its scattering.
+  [[nodiscard]] spectral::Spectrum emissivity(std::uint32_t material, Vec3 wo) const noexcept {
+    return (whole_.empty() ? materials_ : whole_)[material].emissivity(wo);
+  }
   /// Whether some surface emits what its place decides, and it matters at these lanes.
   [[nodiscard]] bool emission_varies() const noexcept { return planck_.has_value(); }
   /// Bumps of a material's surface, or null.
@@ -102,12 +121,16 @@ class LitScene {
  private:
   const SceneDescription* scene_;
   spectral::Lanes lanes_;
+  EffectSet effects_;
   atmosphere::BoundAtmosphere air_;
   std::vector<Target> targets_;
   SkyDistribution sky_;
   BoundVolumes volumes_;
   BoundLamps lamps_;
   std::vector<materials::BoundMaterial> materials_;
+  std::vector<materials::BoundMaterial> whole_;  // with their leaves' transmission, where left out
+  bool shadows_ = true, interreflects_ = true, emits_ = true;
+  void bind_materials(Diagnostics& diagnostics);
   void bind_temperatures();
 
   // By material; of one whose temperature varies from place to place: 0 where that does not matter.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "radiometry/visibility.hpp"
@@ -36,6 +37,8 @@ constexpr double endless_survival = 1.0 - 1e-7;
 }  // namespace
 
 struct PathSolver::Walk {
+  /// What has turned the light's way: straight passage through a sheet does not.
+  enum class Turned : std::uint8_t { not_yet, in_volumes, at_surface };
   Ray ray;
   Spectrum throughput;
   SpectrumSum* radiance;
@@ -44,6 +47,7 @@ struct PathSolver::Walk {
   Vec3 normal{};     // the side that could be lit there (0: all),
   double pdf = 0.0;  // and that density, sr^-1; 0: lights are seen in no other way
   int bounces = 0;
+  Turned turned = Turned::not_yet;
 };
 
 /// A direction in which a walk goes on.
@@ -110,8 +114,17 @@ bool PathSolver::arrive(Walk& walk, const std::optional<Hit>& hit) {
   }
   const SurfacePoint point{*scene_, walk.ray, *hit};
   add_emission(walk, point);
-  add_surface_lights(walk, point);
+  if (may_reflect(walk)) {
+    add_surface_lights(walk, point);
+  } else if (!point.material().traits.straight) {
+    return false;
+  }
   return bounce(walk, point);
+}
+
+/// Without interreflection light is turned once: at one surface, or by volumes alone.
+bool PathSolver::may_reflect(const Walk& walk) const noexcept {
+  return scene_->interreflects() || walk.turned == Walk::Turned::not_yet;
 }
 
 void PathSolver::add_sky(Walk& walk) const {
@@ -125,7 +138,8 @@ void PathSolver::add_sky(Walk& walk) const {
   for (const Target& target : scene_->targets()) {
     if (!target.covers(towards)) continue;
     // Balance heuristic against the ray that is sent to every disc.
-    const double share = walk.pdf > 0.0 ? walk.pdf / (walk.pdf + 1.0 / target.solid_angle) : 1.0;
+    const double share = share_of_walk(walk, 1.0 / target.solid_angle);
+    if (!(share > 0.0)) continue;
     const Spectrum disc =
         at_sensor ? target.outside * air.disc_transmittance(eye, towards) : target.radiance;
     walk.radiance->add(disc * walk.throughput, share);
@@ -133,21 +147,29 @@ void PathSolver::add_sky(Walk& walk) const {
 }
 
 void PathSolver::add_emission(Walk& walk, const SurfacePoint& point) const {
-  Spectrum scratch;
-  if (const Spectrum* even = scene_->even_emission(point.hit(), scratch)) {
-    walk.radiance->add(*even * walk.throughput);
-  } else {
-    walk.radiance->add(emission(*scene_, point) * walk.throughput);
+  if (scene_->emits()) {
+    Spectrum scratch;
+    if (const Spectrum* even = scene_->even_emission(point.hit(), scratch)) {
+      walk.radiance->add(*even * walk.throughput);
+    } else {
+      walk.radiance->add(emission(*scene_, point) * walk.throughput);
+    }
   }
   if (scene_->lamps().empty()) return;
   const auto lamp = scene_->lamps().radiance(walk.ray, point.hit());
   if (!lamp) return;
-  double share = 1.0;
+  double other = 0.0;
   if (walk.pdf > 0.0) {
-    const double other = scene_->lamps().pdf(walk.origin, walk.normal, walk.ray, point.hit());
-    share = walk.pdf / (walk.pdf + other);
+    other = scene_->lamps().pdf(walk.origin, walk.normal, walk.ray, point.hit());
   }
-  walk.radiance->add(*lamp * walk.throughput, share);
+  walk.radiance->add(*lamp * walk.throughput, share_of_walk(walk, other));
+}
+
+/// Of a light that a walk meets, beside the ray that was sent to it with the density `other`:
+/// without shadows that ray, which nothing stops, brings all of it.
+double PathSolver::share_of_walk(const Walk& walk, double other) const noexcept {
+  if (!(walk.pdf > 0.0)) return 1.0;
+  return scene_->shadows() || !(other > 0.0) ? walk.pdf / (walk.pdf + other) : 0.0;
 }
 
 /// @param scatter  what turns light at this vertex: `value(direction, f)` writes f |cos| per lane
@@ -155,19 +177,22 @@ void PathSolver::add_emission(Walk& walk, const SurfacePoint& point) const {
 ///                 light can come from; `ray(direction)`, `position()`, `normal()`
 template <class Scatter>
 void PathSolver::add_lights(const Walk& walk, const Scatter& scatter) {
-  std::uint32_t number = first_target;
+  const bool shadows = scene_->shadows();
   Spectrum light{scene_->lanes().count()};
   for (const Target& target : scene_->targets()) {
+    const std::uint32_t number = first_target + target.number;
     const Vec3 towards = direction_in_disc(target, walk.numbers.point(number));
-    const Sampler numbers = walk.numbers.child(Branch::shadow + number++);
+    const Sampler numbers = walk.numbers.child(Branch::shadow + number);
     if (towards.z <= 0.0) continue;  // set behind the horizon
     const double pdf = scatter.value(towards, light);
     if (pdf < 0.0) continue;
-    ++counters_.target_rays;
     light *= target.irradiance;
-    if (!passes(*scene_, scatter.ray(towards), numbers, light)) continue;
+    if (shadows) {
+      ++counters_.target_rays;
+      if (!passes(*scene_, scatter.ray(towards), numbers, light)) continue;
+    }
     light *= walk.throughput;
-    walk.radiance->add(light, 1.0 / (1.0 + pdf * target.solid_angle));
+    walk.radiance->add(light, shadows ? 1.0 / (1.0 + pdf * target.solid_angle) : 1.0);
   }
   if (scene_->lamps().empty()) return;
   const auto lamp = scene_->lamps().sample(scatter.position(), scatter.normal(),
@@ -176,12 +201,14 @@ void PathSolver::add_lights(const Walk& walk, const Scatter& scatter) {
   if (!lamp) return;
   const double pdf = scatter.value(lamp->direction, light);
   if (pdf < 0.0) return;
-  ++counters_.lamp_rays;
   light *= lamp->irradiance;
-  const Ray ray = ray_to_lamp(scatter.ray(lamp->direction).origin, scatter.position(), *lamp);
-  if (!passes(*scene_, ray, walk.numbers.child(Branch::shadow), light)) return;
+  if (shadows) {
+    ++counters_.lamp_rays;
+    const Ray ray = ray_to_lamp(scatter.ray(lamp->direction).origin, scatter.position(), *lamp);
+    if (!passes(*scene_, ray, walk.numbers.child(Branch::shadow), light)) return;
+  }
   light *= walk.throughput;
-  walk.radiance->add(light, lamp->pdf > 0.0 ? lamp->pdf / (lamp->pdf + pdf) : 1.0);
+  walk.radiance->add(light, shadows && lamp->pdf > 0.0 ? lamp->pdf / (lamp->pdf + pdf) : 1.0);
 }
 
 namespace {
@@ -267,9 +294,11 @@ bool PathSolver::bounce(Walk& walk, const SurfacePoint& point) {
   }
   const auto drawn = draw(walk, point);
   if (!drawn) return false;
+  if (!drawn->straight && !may_reflect(walk)) return false;
   walk.throughput *= drawn->weight;
   walk.ray = point.leaving(drawn->direction);
   if (!drawn->straight) {
+    walk.turned = Walk::Turned::at_surface;
     walk.origin = point.hit().position;
     walk.normal = point.lit_normal();
     walk.pdf = drawn->pdf;
@@ -279,6 +308,8 @@ bool PathSolver::bounce(Walk& walk, const SurfacePoint& point) {
 
 bool PathSolver::scatter_in_volume(Walk& walk, const VolumeEvent& event) {
   const int limit = scene_->description().path_max_bounces;
+  if (walk.turned == Walk::Turned::at_surface && !scene_->interreflects()) return false;
+  walk.turned = Walk::Turned::in_volumes;
   const Vec3 wo = -walk.ray.direction;
   add_lights(walk, VolumeScatter{event, wo});
   if (limit > 0 && walk.bounces >= limit) {

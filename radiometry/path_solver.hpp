@@ -19,6 +19,9 @@ namespace nadir::radiometry {
 /// brightness (one-sample multiple importance sampling). Light that the walk itself meets counts
 /// with the balance heuristic's weight. Walks end by Russian roulette on the lane-averaged
 /// throughput alone: no thresholds, no limit of bounces unless the scene states one.
+/// Where the scene leaves effects out: without shadows nothing is traced to lights, and what walks
+/// meet of them is left to that; without interreflection a walk is turned at one surface, or by
+/// volumes alone, and ends at the next, whose emission it takes in.
 /// Sources: Kajiya, SIGGRAPH 1986; Veach & Guibas, SIGGRAPH 1995 (multiple importance sampling).
 ///
 /// One solver serves one thread: it counts what it does.
@@ -45,6 +48,8 @@ class PathSolver {
   [[nodiscard]] Flight fly(Walk& walk, double distance);
   void add_sky(Walk& walk) const;
   void add_emission(Walk& walk, const SurfacePoint& point) const;
+  [[nodiscard]] double share_of_walk(const Walk& walk, double other) const noexcept;
+  [[nodiscard]] bool may_reflect(const Walk& walk) const noexcept;
   void add_surface_lights(const Walk& walk, const SurfacePoint& point);
   template <class Scatter>
   void add_lights(const Walk& walk, const Scatter& scatter);

@@ -102,9 +102,10 @@ double SurfacePoint::pdf(Vec3 towards) const noexcept {
 }
 
 spectral::Spectrum emission(const LitScene& scene, const SurfacePoint& point) {
+  if (!scene.emits()) return spectral::Spectrum{scene.lanes().count()};
   spectral::Spectrum scratch;
   if (const auto* even = scene.even_emission(point.hit(), scratch)) return *even;
-  return point.material().emissivity(point.wo()) * scene.black_body(point.hit());
+  return scene.emissivity(point.hit().material, point.wo()) * scene.black_body(point.hit());
 }
 
 }  // namespace nadir::radiometry

@@ -30,6 +30,7 @@ bool passes_sheets(const LitScene& scene, Ray ray, const Sampler& numbers, Spect
 }  // namespace
 
 bool passes(const LitScene& scene, const Ray& ray, const Sampler& numbers, Spectrum& light) {
+  if (!scene.shadows()) return true;
   const bool free = !scene.geometry().occluded(ray);
   if (!free && (!scene.has_sheets() || !passes_sheets(scene, ray, numbers, light))) return false;
   const BoundVolumes& volumes = scene.volumes();

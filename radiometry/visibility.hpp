@@ -9,7 +9,8 @@ namespace nadir::radiometry {
 
 /// Light that comes along a shadow ray, from its max_distance to its origin: multiplies `light` by
 /// what volumes and clear sheets let through. False where something opaque is in the way.
-/// An unbiased estimate where a volume is a grid.
+/// An unbiased estimate where a volume is a grid. Without shadows all light passes untouched, and
+/// no ray is traced.
 [[nodiscard]] bool passes(const LitScene& scene, const geometry::Ray& ray, const Sampler& numbers,
                           spectral::Spectrum& light);
 

@@ -15,6 +15,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double power5(double x) noexcept { return x * x * x * x * x; }
 
+/// Whether exp(c2 / (lambda T)) is more than a double holds, asked without computing either. There
+/// Planck's radiance is 0: below 1e-290 from 0.2 um on.
+bool extinct(double lambda, double t) noexcept {
+  constexpr double largest_exponent = 709.78;  // the logarithm of the largest double, 1.8e308
+  return lambda * t < si::radiation_c2 / largest_exponent;
+}
+
 // The photon energy in units of k T, x = c2 / (lambda T), turns the band integral into
 //   int B dlambda = c1 T^4 / c2^4  int x^3 / (exp(x) - 1) dx.
 
@@ -91,9 +98,8 @@ double integral_between(double lo, double hi) noexcept {
 SpectralRadiance planck(Micrometres wavelength, Kelvin temperature) noexcept {
   const double lambda = wavelength.value, t = temperature.value;
   if (!(lambda > 0.0) || !(t >= 0.0)) return SpectralRadiance{undefined};
-  if (t == 0.0) return SpectralRadiance{0.0};
+  if (extinct(lambda, t)) return SpectralRadiance{0.0};
   const double grown = std::expm1(si::radiation_c2 / (lambda * t));
-  if (std::isinf(grown)) return SpectralRadiance{0.0};  // c1 / lambda^5 may be infinite too
   return SpectralRadiance{si::radiation_c1 / power5(lambda) / grown};
 }
 
@@ -110,10 +116,9 @@ Spectrum planck(const Lanes& lanes, Kelvin temperature) noexcept {
 double planck_derivative(Micrometres wavelength, Kelvin temperature) noexcept {
   const double lambda = wavelength.value, t = temperature.value;
   if (!(lambda > 0.0) || !(t >= 0.0)) return undefined;
-  if (t == 0.0) return 0.0;
+  if (extinct(lambda, t)) return 0.0;
   const double x = si::radiation_c2 / (lambda * t);
   const double grown = std::expm1(x);
-  if (std::isinf(grown)) return 0.0;  // x / t may be infinite too
   return si::radiation_c1 / power5(lambda) / grown * (x / t) / -std::expm1(-x);
 }
 
@@ -126,7 +131,7 @@ Radiance planck_band(Micrometres lo, Micrometres hi, Kelvin temperature) noexcep
   const double x_lo = 1.0 / (hi.value * scaled);
   const double x_hi = lo.value > 0.0 ? 1.0 / (lo.value * scaled) : infinity;
   // hi - lo is exact where the two are near, the difference of their reciprocals is not.
-  const double width = (hi - lo).value / hi.value * x_hi;
+  const double width = std::isinf(hi.value) ? infinity : (hi - lo).value / hi.value * x_hi;
   const double integral =
       width < 1.0 ? integral_about(x_lo + 0.5 * width, 0.5 * width) : integral_between(x_lo, x_hi);
   return Radiance{scale * integral};
@@ -137,9 +142,9 @@ Kelvin brightness_temperature(Micrometres wavelength, SpectralRadiance radiance)
   if (!(lambda > 0.0) || !(l >= 0.0)) return Kelvin{undefined};
   if (l == 0.0) return Kelvin{0.0};
   const double numerator = si::radiation_c1 / power5(lambda);
-  const double ratio = numerator / l;
-  // A radiance near the smallest double overflows the ratio, but not its logarithm.
-  const double x = std::isinf(ratio) ? std::log(numerator) - std::log(l) : std::log1p(ratio);
+  // A radiance near the smallest double would overflow the ratio, but not its logarithm.
+  const bool faint = l < 1e-300 * numerator;
+  const double x = faint ? std::log(numerator) - std::log(l) : std::log1p(numerator / l);
   return Kelvin{si::radiation_c2 / (lambda * x)};
 }
 

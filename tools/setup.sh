@@ -15,7 +15,7 @@ packages=(
   build-essential cmake ninja-build pkg-config ccache git
   libembree-dev       # rays
   libgeographiclib-dev liberfa-dev                  # earth; sun and moon
-  libeigen3-dev libtbb-dev libtinyxml2-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev
+  libeigen3-dev libtbb-dev libtinyxml2-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev zlib1g-dev
   libopenexr-dev libimath-dev libopenimageio-dev libgdal-dev   # images and rasters
   openimageio-tools   # Debian's CMake package of OpenImageIO is not found without its programs
   catch2

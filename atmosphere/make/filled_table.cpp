@@ -22,6 +22,13 @@ std::string described(const AirSettings& s) {
 
 }  // namespace
 
+AirParts TableJob::wanted_anywhere() const {
+  if (wanted.empty()) return {};
+  AirParts all = AirParts::none();
+  for (const AirParts& parts : wanted) all = all | parts;
+  return all;
+}
+
 AirTable filled_table(const TableJob& job, SolveCounts* counts) {
   if (job.lanes.empty()) throw InputError("air table: no wavelengths");
   TableFiller filler{job};

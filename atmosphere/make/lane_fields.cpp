@@ -53,8 +53,8 @@ Wanted wanted(const LaneInput& in, const ScaledColumn& scaled,
     light += strength;
   }
   const double night = in.airglow + in.starlight;
-  want.sky = night > night_share * (light + emission);
-  want.thermal = warm > std::max(emission_floor, emission_share * (light + night));
+  want.sky = in.scattering && night > night_share * (light + emission);
+  want.thermal = in.emission && warm > std::max(emission_floor, emission_share * (light + night));
   return want;
 }
 
@@ -134,9 +134,13 @@ void take_solution(LaneFields& fields, const TransferSolution& solved,
     beam.first_component = fields.components;
     fields.components += static_cast<std::size_t>(beam.modes);
   }
+  if (problem.thermal && problem.sky) fields.night = fields.components++;
+  fields.night_alone = !problem.thermal || fields.night != LaneFields::even;
   fields.source.assign(2 * fields.depth.size() * fields.directions * fields.components, 0.0);
-  add_to(fields, solved.ground, LaneFields::ground, 1.0);
-  fields.from_ground = solved.ground.fluxes;
+  if (problem.ground) {
+    add_to(fields, solved.ground, LaneFields::ground, 1.0);
+    fields.from_ground = solved.ground.fluxes;
+  }
   for (std::size_t i = 0, s = 0; i < fields.beams.size(); ++i) {
     const LaneFields::Beam& beam = fields.beams[i];
     if (beam.modes > 0) add_to(fields, solved.beams[s++], beam.first_component, beam.irradiance);
@@ -148,7 +152,7 @@ void take_solution(LaneFields& fields, const TransferSolution& solved,
   }
   if (problem.sky) {
     fields.night_scattered = fields.starlight + van_rhijn_mean * fields.airglow;
-    add_to(fields, solved.sky, LaneFields::even, fields.night_scattered);
+    add_to(fields, solved.sky, fields.night, fields.night_scattered);
     fields.sky = solved.sky.fluxes;
   }
 }
@@ -197,13 +201,13 @@ LaneFields lane_fields(const LaneInput& input, const Shells& shells,
   take_column(fields, input, scaled.column);
 
   TransferProblem problem;
-  problem.ground = true;
+  problem.ground = input.scattering || input.emission;
   problem.thermal = want.thermal;
   problem.sky = want.sky;
   if (want.thermal) {
     problem.planck = planck_at(input.column.level_temperature_k, input.wavelength);
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  for (std::size_t b = 0; b < bodies.size() && input.scattering; ++b) {
     if (input.irradiance[b] <= 0.0) continue;
     fields.beams.push_back(
         make_beam(b, input.irradiance[b], bodies[b], shells, fields.scaled_depth));
@@ -212,8 +216,11 @@ LaneFields lane_fields(const LaneInput& input, const Shells& shells,
     problem.beams.push_back({bodies[b].mu0, fields.beams.back().transmittance});
   }
   const auto& mu = shells.directions.mu();
-  const TransferSolution solved = fast ? two_stream(scaled, problem, mu)
-                                       : discrete_ordinates(scaled, problem, settings.streams, mu);
+  TransferSolution solved;  // of nothing where no light is wanted
+  if (problem.ground) {
+    solved = fast ? two_stream(scaled, problem, mu)
+                  : discrete_ordinates(scaled, problem, settings.streams, mu);
+  }
   take_solution(fields, solved, problem, scaled.column);
   counts += {1, static_cast<int>(problem.beams.size()), want.thermal ? 1 : 0, want.sky ? 1 : 0};
   return fields;

@@ -24,6 +24,7 @@ struct LaneInput {
   Micrometres wavelength;
   std::vector<double> irradiance;  ///< outside the air, by body; 0: left out
   double airglow = 0.0, starlight = 0.0, urban_glow = 0.0;
+  bool scattering = true, emission = true;  ///< whether such light is wanted at all
 };
 
 /// How often what was solved: nothing is that does not matter.
@@ -45,12 +46,16 @@ struct LaneFields {
     double local_share = 0.0;           ///< of it in first scattering
     FieldFluxes fluxes;                 ///< per unit irradiance
   };
-  static constexpr std::size_t even = 0, ground = 1;  ///< components; then the beams' modes
+  static constexpr std::size_t even = 0, ground = 1;  ///< components; then the beams' modes,
+                                                      ///< then the night's where it has its own
 
   std::vector<double> depth, scaled_depth;      // vertical, by layer
   std::vector<std::vector<double>> scattering;  // true, by kind and layer
   std::vector<std::shared_ptr<const PhaseFunction>> phases;
   std::size_t components = 2, directions = 0;
+  /// Where the night sky's light is found: among the emission where it does not matter beside it.
+  std::size_t night = even;
+  bool night_alone = true;     ///< that component holds nothing else
   std::vector<double> source;  // [place][direction][component]
   std::vector<Beam> beams;
   FieldFluxes thermal, sky, from_ground;

@@ -31,7 +31,7 @@ class Writer {
     const double left = std::exp(-sums.scaled_depth.back());
     night_ = path.meets_ground ? 0.0 : night_beyond(fields_, path);
     background[LaneFields::ground] = path.meets_ground ? left : 0.0;
-    background[LaneFields::even] = left * night_;
+    background[fields_.night] = left * night_;
     const ShareLight light{sums, background};
     set_phases(path);
     for (std::size_t s = 0; s < shape_.share.size(); ++s) {
@@ -65,16 +65,20 @@ class Writer {
     const double share = shape_.share[at.share];
     const double depth = sums.depth[at.share];
     view_.extinction[at.index] = not_negative(extinction(path, sums, at.share));
-    double even = value(light, LaneFields::even, at.share);
+    double night = urban(path);
     if (share >= 1.0 && night_ > 0.0) {
       // Seen through the whole way, the night sky itself is part of the light.
       const double straight = std::exp(-depth) * night_;
       if (shape_.whole)
-        even += straight;
+        night += straight;
       else if (depth > 0.0)
-        even += straight / -std::expm1(-depth);
+        night += straight / -std::expm1(-depth);
     }
-    view_.even[at.index] = not_negative(even + urban(path));
+    const double emitted = value(light, LaneFields::even, at.share);
+    if (fields_.night_alone) night += value(light, fields_.night, at.share);
+    const bool apart = fields_.night != LaneFields::even || !fields_.night_alone;
+    view_.even[at.index] = not_negative(apart ? emitted + night : night);
+    view_.night[at.index] = std::min(not_negative(night), view_.even[at.index]);
     view_.ground[at.index] = not_negative(value(light, LaneFields::ground, at.share));
     for (std::size_t b = 0; b < fields_.beams.size(); ++b) write_beam(light, b, at);
   }
@@ -194,6 +198,7 @@ LaneView lane_view(const LaneFields& fields, const ViewShape& shape, std::size_t
   LaneView view;
   view.extinction.assign(places, 0.0F);
   view.even.assign(places, 0.0F);
+  view.night.assign(places, 0.0F);
   view.ground.assign(places, 0.0F);
   view.first.assign(bodies * kinds * places, 0.0F);
   view.smooth.assign(bodies * shape.azimuth_rad.size() * places, 0.0F);

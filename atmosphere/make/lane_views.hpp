@@ -26,7 +26,7 @@ struct ViewShape {
 
 /// One lane of a view, in the order of the table's arrays.
 struct LaneView {
-  std::vector<float> extinction, even, ground, first, smooth;
+  std::vector<float> extinction, even, night, ground, first, smooth;
 };
 
 /// @param bodies  of the table, among them those of the fields

@@ -54,6 +54,7 @@ double probed_share(const Shells& shells, double height_m, double zenith_rad, do
   }
   const double whole_m = way_to_end_m(shells.top_m(), shells.ground_m(), height_m, eye.mu);
   const double whole = air_measure_m(height_m, advanced(eye, whole_m).height_m, whole_m);
+  if (whole <= 0.0) return 1.0;  // down from the ground itself: no way, and no part of it
   return air_measure_m(height_m, end_m, way_m) / whole;
 }
 
@@ -111,11 +112,11 @@ double direct_sum(const LaneFields& fields, const AirTable& table, const Ray& ra
   std::vector<double> background(sums.sums, 0.0);
   const double left = std::exp(-sums.scaled_depth.back());
   background[LaneFields::ground] = ray.path.meets_ground ? left : 0.0;
-  background[LaneFields::even] =
-      ray.path.meets_ground ? 0.0 : left * night_beyond(fields, ray.path);
+  background[fields.night] = ray.path.meets_ground ? 0.0 : left * night_beyond(fields, ray.path);
   const ShareLight part{sums, background};
   const std::size_t at = whole ? 1 : 0;
   double sum = part.whole(LaneFields::even, at) + ground * part.whole(LaneFields::ground, at);
+  if (fields.night != LaneFields::even) sum += part.whole(fields.night, at);
   if (whole) sum += std::exp(-sums.depth[at]) * night_beyond(fields, ray.path);
   for (std::size_t b = 0; b < fields.beams.size(); ++b) {
     const LaneFields::Beam& beam = fields.beams[b];
@@ -156,9 +157,12 @@ GroundLight test_ground(const AirTable& table) {
 }  // namespace
 
 ErrorProbe::ErrorProbe(const TableJob& job, const TableFiller& filler) : filler_{filler} {
+  const bool paths = job.wanted_anywhere().path();  // a lane without them has no views to probe
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < job.lanes.size(); ++i) {
-    if (job.lanes[i].absorption.term == 0) candidates.push_back(i);
+    if (job.lanes[i].absorption.term == 0 && job.wanted_at(i).path() == paths) {
+      candidates.push_back(i);
+    }
   }
   if (candidates.empty()) candidates.push_back(0);
   const std::size_t count = std::min(most_lanes, candidates.size());

@@ -77,6 +77,7 @@ void size_view(AirTable::View& view, std::size_t bodies, std::size_t kinds, std:
   const std::size_t all = view.places() * lanes;
   view.extinction.assign(all, 0.0F);
   view.even.assign(all, 0.0F);
+  view.night.assign(all, 0.0F);
   view.ground.assign(all, 0.0F);
   view.first.assign(bodies * kinds * all, 0.0F);
   view.smooth.assign(bodies * view.azimuth_rad.size() * all, 0.0F);
@@ -90,6 +91,7 @@ void spread(std::vector<float>& rows, const std::vector<float>& column, std::siz
 void put_view(AirTable::View& view, const LaneView& column, std::size_t lane, std::size_t lanes) {
   spread(view.extinction, column.extinction, lane, lanes);
   spread(view.even, column.even, lane, lanes);
+  spread(view.night, column.night, lane, lanes);
   spread(view.ground, column.ground, lane, lanes);
   spread(view.first, column.first, lane, lanes);
   spread(view.smooth, column.smooth, lane, lanes);
@@ -111,9 +113,10 @@ TableFiller::TableFiller(const TableJob& job)
   table_.ground_m = shells_.ground_m();
   choose_bodies();
   AirSettings settings = job.settings;
-  if (kept_.empty()) settings.azimuth_nodes = 1;
+  const AirParts wanted = job.wanted_anywhere();
+  if (kept_.empty() || !wanted.scattering()) settings.azimuth_nodes = 1;
   sky_ = sky_shape(shells_, settings);
-  if (settings.paths) {
+  if (settings.paths && wanted.path()) {
     const double height = std::clamp(settings.observer_height_m, table_.ground_m, table_.top_m);
     views_.push_back(view_shape(shells_, settings, height, any_night(job)));
   }
@@ -194,6 +197,7 @@ void TableFiller::size_arrays(std::size_t kinds) {
   }
   table_.spherical_albedo.assign(lanes, 0.0F);
   table_.even_ground_irradiance.assign(lanes, 0.0F);
+  table_.night_ground_irradiance.assign(lanes, 0.0F);
   table_.night_top.assign(lanes, 0.0F);
 }
 
@@ -204,6 +208,10 @@ LaneFields TableFiller::solved(std::size_t lane, SolveCounts& counts) const {
   input.airglow = job_.airglow[lane];
   input.starlight = job_.starlight[lane];
   input.urban_glow = job_.urban_glow[lane];
+  const AirParts wanted = job_.wanted_at(lane);
+  input.emission = wanted.emission();
+  input.scattering = wanted.scattering();
+  if (!input.scattering) input.airglow = input.starlight = input.urban_glow = 0.0;
   double strongest = 0.0;
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     input.irradiance.push_back(irradiance(b, lane) * decline_[b]);
@@ -221,7 +229,7 @@ void TableFiller::put(std::size_t lane, const LaneFields& fields) {
   const std::size_t lanes = table_.lanes.size();
   const LaneView sky = lane_view(fields, sky_, kept_.size());
   put_view(table_.sky, sky, lane, lanes);
-  for (std::size_t v = 0; v < views_.size(); ++v) {
+  for (std::size_t v = 0; v < views_.size() && job_.wanted_at(lane).path(); ++v) {
     put_view(table_.views[v], lane_view(fields, views_[v], kept_.size()), lane, lanes);
   }
   put_phases(lane, fields);
@@ -252,10 +260,28 @@ void TableFiller::put_fluxes(std::size_t lane, const LaneFields& fields) {
   const double albedo = fields.from_ground.down_at_ground / pi;
   table_.spherical_albedo[lane] = static_cast<float>(std::clamp(albedo, 0.0, 1.0));
   table_.night_top[lane] = static_cast<float>(fields.airglow + fields.starlight);
-  const double even = fields.thermal.down_at_ground +
-                      fields.night_scattered * fields.sky.down_at_ground +
-                      fields.urban_glow * urban_glow_flux();
-  table_.even_ground_irradiance[lane] = static_cast<float>(std::max(even, 0.0));
+  const double night =
+      fields.night_scattered * fields.sky.down_at_ground + fields.urban_glow * urban_glow_flux();
+  const double even = std::max(0.0, fields.thermal.down_at_ground + night);
+  table_.even_ground_irradiance[lane] = static_cast<float>(even);
+  table_.night_ground_irradiance[lane] = static_cast<float>(std::clamp(night, 0.0, even));
+}
+
+AirTable TableFiller::take() {
+  drop_empty_night();
+  return std::move(table_);
+}
+
+/// A table without a night needs no room for it.
+void TableFiller::drop_empty_night() {
+  const auto dark = [](const std::vector<float>& values) {
+    return std::all_of(values.begin(), values.end(), [](float v) { return v == 0.0F; });
+  };
+  std::vector<std::vector<float>*> all{&table_.night_ground_irradiance, &table_.sky.night};
+  for (AirTable::View& view : table_.views) all.push_back(&view.night);
+  for (std::vector<float>* values : all) {
+    if (dark(*values)) values->clear();
+  }
 }
 
 void TableFiller::put_phases(std::size_t lane, const LaneFields& fields) {

@@ -17,7 +17,7 @@ class TableFiller {
   [[nodiscard]] const Shells& shells() const noexcept { return shells_; }
   [[nodiscard]] LaneFields solved(std::size_t lane, SolveCounts& counts) const;
   void put(std::size_t lane, const LaneFields& fields);
-  [[nodiscard]] AirTable take() { return std::move(table_); }
+  [[nodiscard]] AirTable take();
   [[nodiscard]] const AirTable& table() const noexcept { return table_; }
   [[nodiscard]] const std::vector<BodyPlace>& places() const noexcept { return places_; }
 
@@ -29,6 +29,7 @@ class TableFiller {
                 const LaneView& sky);
   void put_fluxes(std::size_t lane, const LaneFields& fields);
   void put_phases(std::size_t lane, const LaneFields& fields);
+  void drop_empty_night();
   [[nodiscard]] double irradiance(std::size_t body, std::size_t lane) const;
 
   const TableJob& job_;

@@ -25,6 +25,13 @@ struct TableJob {
   std::vector<Body> bodies;
   std::vector<double> airglow, starlight, urban_glow;  ///< in the zenith, by lane
   AirSettings settings;
+  std::vector<AirParts> wanted{};  ///< by lane; empty: all
+
+  [[nodiscard]] AirParts wanted_at(std::size_t lane) const {
+    return wanted.empty() ? AirParts{} : wanted[lane];
+  }
+  /// What any lane wants.
+  [[nodiscard]] AirParts wanted_anywhere() const;
 };
 
 /// Solves and tabulates every lane, in parallel. Bodies that matter at no lane are left out.

@@ -100,6 +100,7 @@ void check_view(const std::string& name, const AirTable& table, const AirTable::
   check_values(name + " smooth", view.smooth, bodies * view.azimuth_rad.size() * all, any);
   check_values(name + " even", view.even, all, zero_or_more);
   check_values(name + " ground", view.ground, all, zero_or_more);
+  check_values(name + " night", view.night, view.night.empty() ? 0 : all, zero_or_more);
 }
 
 void check_lanes(const std::vector<AirTable::Lane>& lanes) {
@@ -174,6 +175,8 @@ void check(const AirTable& table) {
   }
   check_values("spherical albedo", table.spherical_albedo, lanes, below_one);
   check_values("even ground irradiance", table.even_ground_irradiance, lanes, zero_or_more);
+  check_values("night ground irradiance", table.night_ground_irradiance,
+               table.night_ground_irradiance.empty() ? 0 : lanes, zero_or_more);
   check_values("night top", table.night_top, table.night_top.empty() ? 0 : lanes, zero_or_more);
 }
 

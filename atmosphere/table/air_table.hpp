@@ -61,6 +61,8 @@ struct AirTable {
     std::vector<float> smooth;      ///< [body][azimuth][zenith][share][lane]: M, may be negative
     std::vector<float> even;        ///< [zenith][share][lane]: E
     std::vector<float> ground;      ///< [zenith][share][lane]: H
+    std::vector<float> night;  ///< [zenith][share][lane]: what of E comes from outside the air or
+                               ///< from towns, the rest being emitted by it. May be empty: nothing
 
     /// Places along the ways: the entries of `extinction` for one lane.
     [[nodiscard]] std::size_t places() const { return zenith_rad.size() * share.size(); }
@@ -77,8 +79,9 @@ struct AirTable {
   std::vector<View> views;         ///< from the sensor, ascending heights, or none: then paths
                                    ///< change nothing. Eyes above the top are looked up at the top
   // The ground's part: all by lane.
-  std::vector<float> spherical_albedo;        ///< of the air from below, below 1
-  std::vector<float> even_ground_irradiance;  ///< what E brings to a black level ground
+  std::vector<float> spherical_albedo;         ///< of the air from below, below 1
+  std::vector<float> even_ground_irradiance;   ///< what E brings to a black level ground
+  std::vector<float> night_ground_irradiance;  ///< the night's part of that; may be empty: nothing
   std::vector<float> night_top;  ///< radiance of the night sky in the zenith outside the air; what
                                  ///< is seen of it is in E. May be empty
   // How it was made.

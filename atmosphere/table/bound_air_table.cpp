@@ -21,11 +21,17 @@ struct BoundAirTable::Bound {
   };
   AirFrame frame;
   std::vector<Body> bodies;    // all of the table
-  std::vector<BoundView> sky;  // one
+  std::vector<BoundView> sky;  // one; before a table without views a second, as the sensor sees it
   std::vector<BoundView> views;
+  std::vector<float> sky_ground, path_ground;  // what is wanted of G
+  bool sky_lit = true, path_lit = true;        // light is wanted there
+  bool loses = true;                           // transmittance on the line of sight
   std::vector<double> sky_measure;  // of the whole way up, over even steps of mu from 0 to 1
 
   [[nodiscard]] WholeWay sky_way(Vec3 direction) const noexcept;
+  [[nodiscard]] Spectrum light(const std::vector<float>& ground) const noexcept;
+  [[nodiscard]] Spectrum sky_light(const BoundView& of, const std::vector<float>& ground,
+                                   Vec3 direction) const noexcept;
 };
 
 // From the ground the whole way up depends on the zenith angle alone. Over a step of 1/1024 the
@@ -83,9 +89,10 @@ bool glows(const AirTable& table, std::size_t body) {
   return false;
 }
 
-/// G = (rho E_down / pi + emission) / (1 - rho S)
+/// G = (rho E_down / pi + emission) / (1 - rho S), as far as light is wanted: of E_down what the
+/// air scatters, or what it emits; the ground's own emission goes with the latter.
 std::vector<float> ground_light(const AirTable& table, const GroundLight& ground,
-                                const AirFrame& frame) {
+                                const AirFrame& frame, AirLight wanted) {
   const std::size_t there = table.lanes.size(), lanes = frame.matches.size();
   if (ground.reflectance.size() != there || ground.emission.size() != there) {
     throw InputError{"expected the ground's reflectance and emission at each of the table's " +
@@ -96,24 +103,29 @@ std::vector<float> ground_light(const AirTable& table, const GroundLight& ground
   std::vector<float> light(frame.padded(), 0.0F);
   for (std::size_t i = 0; i < lanes; ++i) {
     const LaneMatch& match = frame.matches[i];
-    float down = match.of(table.even_ground_irradiance.data());
+    const float even = match.of(table.even_ground_irradiance.data());
+    const auto& nightly = table.night_ground_irradiance;
+    const float night = nightly.empty() ? 0.0F : match.of(nightly.data());
+    float down = wanted.emitted ? (wanted.scattered ? even : std::max(0.0F, even - night))
+                                : (wanted.scattered ? night : 0.0F);
     for (const AirTable::Body& body : table.bodies) {
-      down += match.of(body.ground_irradiance.data());
+      if (wanted.scattered) down += match.of(body.ground_irradiance.data());
     }
     const float rho = match.of(ground.reflectance.data());
-    light[i] = (rho * down / std::numbers::pi_v<float> + match.of(ground.emission.data())) /
+    const float own = wanted.emitted ? match.of(ground.emission.data()) : 0.0F;
+    light[i] = (rho * down / std::numbers::pi_v<float> + own) /
                (1.0F - rho * match.of(table.spherical_albedo.data()));
   }
   return light;
 }
 
-AirFrame make_frame(const AirTable& table, const GroundLight& ground,
-                    const spectral::Lanes& lanes) {
+/// @param scattered  whether light of the bodies is wanted at all
+AirFrame make_frame(const AirTable& table, const spectral::Lanes& lanes, bool scattered) {
   AirFrame frame;
   frame.matches = match_lanes(table.lanes, lanes);
-  frame.ground = ground_light(table, ground, frame);
   frame.top_m = table.top_m;
   frame.ground_m = table.ground_m;
+  if (!scattered) return frame;
   std::vector<bool> kept(static_cast<std::size_t>(table.kinds), false);
   for (std::size_t b = 0; b < table.bodies.size(); ++b) {
     bool lit = glows(table, b);
@@ -203,10 +215,17 @@ void add_views(const AirFrame& frame, const std::vector<BoundView>& views, doubl
 }  // namespace
 
 BoundAirTable::BoundAirTable(const std::shared_ptr<const AirTable>& table,
-                             const GroundLight& ground, const spectral::Lanes& lanes) {
+                             const GroundLight& ground, const spectral::Lanes& lanes,
+                             const AirParts& parts) {
   auto bound = std::make_shared<Bound>();
-  bound->frame = make_frame(*table, ground, lanes);
+  bound->frame = make_frame(*table, lanes, parts.scattering());
   const AirFrame& frame = bound->frame;
+  const AirLight from_sky = sky_light(parts), on_path = path_light(parts);
+  bound->sky_ground = ground_light(*table, ground, frame, from_sky);
+  bound->path_ground = ground_light(*table, ground, frame, on_path);
+  bound->sky_lit = from_sky.any();
+  bound->path_lit = on_path.any();
+  bound->loses = parts.path_transmittance;
   for (const AirTable::Body& body : table->bodies) {
     Spectrum transmittance{lanes.count()};
     for (int i = 0; i < lanes.count(); ++i) {
@@ -214,9 +233,13 @@ BoundAirTable::BoundAirTable(const std::shared_ptr<const AirTable>& table,
     }
     bound->bodies.push_back({towards(body), transmittance});
   }
-  bound->sky.emplace_back(*table, table->sky, frame, true);
+  using Want = BoundView::Want;
+  bound->sky.emplace_back(*table, table->sky, frame, bound->sky_ground, Want{from_sky, true});
+  if (table->views.empty()) {
+    bound->sky.emplace_back(*table, table->sky, frame, bound->path_ground, Want{on_path, true});
+  }
   for (const AirTable::View& view : table->views) {
-    bound->views.emplace_back(*table, view, frame, false);
+    bound->views.emplace_back(*table, view, frame, bound->path_ground, Want{on_path, false});
   }
   constexpr int steps = 1024;
   for (int i = 0; i <= steps; ++i) {
@@ -227,28 +250,37 @@ BoundAirTable::BoundAirTable(const std::shared_ptr<const AirTable>& table,
   bound_ = std::move(bound);
 }
 
-Spectrum BoundAirTable::ground_radiance() const noexcept {
-  Spectrum light{static_cast<int>(bound_->frame.matches.size())};
-  std::copy_n(bound_->frame.ground.begin(), light.count(), &light[0]);
+Spectrum BoundAirTable::Bound::light(const std::vector<float>& ground) const noexcept {
+  Spectrum light{static_cast<int>(frame.matches.size())};
+  std::copy_n(ground.begin(), light.count(), &light[0]);
   return light;
 }
 
+Spectrum BoundAirTable::ground_radiance() const noexcept {
+  return bound_->light(bound_->sky_ground);
+}
+
 Spectrum BoundAirTable::sky(Vec3 direction_enu) const noexcept {
-  const AirFrame& frame = bound_->frame;
-  const BoundView& sky = bound_->sky.front();
-  const WholeWay way = bound_->sky_way(direction_enu);
-  if (way.below && !sky.sees_ground()) return ground_radiance();
+  const Bound& b = *bound_;
+  if (!b.sky_lit) return Spectrum{static_cast<int>(b.frame.matches.size())};
+  return b.sky_light(b.sky.front(), b.sky_ground, direction_enu);
+}
+
+Spectrum BoundAirTable::Bound::sky_light(const BoundView& dome, const std::vector<float>& ground,
+                                         Vec3 direction_enu) const noexcept {
+  const WholeWay way = sky_way(direction_enu);
+  if (way.below && !dome.sees_ground()) return light(ground);
   LaneBuffer extinction, source;
   clear(extinction, frame.padded());
   clear(source, frame.padded());
-  sky.add(frame, {direction_enu, way.below, way.zenith, 1.0}, 1.0F, extinction, source);
+  dome.add(frame, {direction_enu, way.below, way.zenith, 1.0}, 1.0F, extinction, source);
   PathTerms terms = along(frame, way.measure_m, extinction, source);
   // The table holds the radiance over 1 - T + floor.
   for (int i = 0; i < terms.radiance.count(); ++i) {
     terms.radiance[i] +=
         BoundView::sky_floor * std::max(0.0F, source.value[static_cast<std::size_t>(i)]);
   }
-  if (way.below) terms.radiance.add_product(terms.transmittance, ground_radiance());
+  if (way.below) terms.radiance.add_product(terms.transmittance, light(ground));
   return terms.radiance;
 }
 
@@ -277,7 +309,8 @@ Spectrum BoundAirTable::direct_transmittance(Vec3 direction_enu) const noexcept 
 
 PathTerms BoundAirTable::path(Vec3 eye, Vec3 direction, double length_m) const noexcept {
   const AirFrame& frame = bound_->frame;
-  if (bound_->views.empty() || !(length_m > 0.0)) return nothing(frame);
+  const bool wanted = bound_->path_lit || bound_->loses;
+  if (!wanted || bound_->views.empty() || !(length_m > 0.0)) return nothing(frame);
   const std::optional<Inside> in = inside(frame, eye, direction, length_m);
   if (!in) return nothing(frame);
   const WholeWay way = whole_way(frame.top_m, frame.ground_m, in->eye);
@@ -298,12 +331,17 @@ PathTerms BoundAirTable::path(Vec3 eye, Vec3 direction, double length_m) const n
   clear(source, frame.padded());
   add_views(frame, bound_->views, in->eye.height_m, {direction, way.below, way.zenith, share},
             extinction, source);
-  return along(frame, measure, extinction, source);
+  PathTerms terms = along(frame, measure, extinction, source);
+  if (!bound_->loses) terms.transmittance = Spectrum{terms.transmittance.count(), 1.0F};
+  return terms;
 }
 
 Spectrum BoundAirTable::beyond(Vec3 eye, Vec3 direction) const noexcept {
-  if (bound_->views.empty()) return sky(direction);
   const AirFrame& frame = bound_->frame;
+  if (!bound_->path_lit) return Spectrum{static_cast<int>(frame.matches.size())};
+  if (bound_->views.empty()) {
+    return bound_->sky_light(bound_->sky.back(), bound_->path_ground, direction);
+  }
   const std::optional<Inside> in =
       inside(frame, eye, direction, std::numeric_limits<double>::infinity());
   if (!in) return Spectrum{static_cast<int>(frame.matches.size())};
@@ -314,8 +352,10 @@ Spectrum BoundAirTable::beyond(Vec3 eye, Vec3 direction) const noexcept {
   add_views(frame, bound_->views, in->eye.height_m, {direction, way.below, way.zenith, 1.0},
             extinction, source);
   PathTerms terms = along(frame, way.measure_m, extinction, source);
-  if (way.below) terms.radiance.add_product(terms.transmittance, ground_radiance());
-  return terms.radiance;
+  if (!way.below) return terms.radiance;
+  const Spectrum ground = bound_->light(bound_->path_ground);
+  if (!bound_->loses) return terms.radiance += ground;
+  return terms.radiance.add_product(terms.transmittance, ground);
 }
 
 }  // namespace nadir::atmosphere

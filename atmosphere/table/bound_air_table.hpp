@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "atmosphere/air_parts.hpp"
 #include "atmosphere/path_terms.hpp"
 #include "atmosphere/table/air_table.hpp"
 #include "core/vec.hpp"
@@ -18,9 +19,12 @@ class BoundAirTable {
   /// Lanes that are split into absorption terms must be those of the table (wavelength, interval
   /// and term alike); other wavelengths are interpolated linearly among the table's.
   /// @param table  one that check() accepts
+  /// @param parts  what is wanted: the rest is 0, a transmittance of the line of sight 1. Light of
+  ///               the bodies, of the night and what the ground about reflects of them counts as
+  ///               scattered, the air's own and what the ground emits as emitted
   /// @throws InputError where the table does not cover a lane
   BoundAirTable(const std::shared_ptr<const AirTable>& table, const GroundLight& ground,
-                const spectral::Lanes& lanes);
+                const spectral::Lanes& lanes, const AirParts& parts = {});
 
   /// Radiance from a direction of the open sky at the ground; below the horizon that of the ground
   /// about.
@@ -35,7 +39,7 @@ class BoundAirTable {
   /// Where an eye sees nothing of the scene: sky, or the ground about.
   [[nodiscard]] spectral::Spectrum beyond(Vec3 eye, Vec3 direction) const noexcept;
 
-  /// The mean radiance of the ground about, by lane: what it reflects and emits.
+  /// The mean radiance of the ground about as surfaces see it, by lane: what it reflects and emits.
   [[nodiscard]] spectral::Spectrum ground_radiance() const noexcept;
 
  private:

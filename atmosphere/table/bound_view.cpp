@@ -53,18 +53,43 @@ struct BoundView::Cell {
 };
 
 BoundView::BoundView(const AirTable& table, const AirTable::View& view, const AirFrame& frame,
-                     bool whole)
+                     const std::vector<float>& ground, Want want)
     : height_m_{view.height_m},
       places_{view.places()},
       shares_{view.share.size()},
       azimuths_{view.azimuth_rad.size()} {
   set_axes(view, std::acos(horizon_mu(table.ground_m, view.height_m)));
-  const std::size_t n = frame.padded(), kinds = static_cast<std::size_t>(table.kinds);
   append_rows(frame, table, view.extinction, 0, places_, extinction_);
-  append_rows(frame, table, view.even, 0, places_, even_);
+  if (want.light.any()) take_even(table, view, frame, ground, want.light);
+  if (want.light.scattered) take_bodies(table, view, frame);
+  if (want.whole) divide_by_loss(table, view, frame);
+}
+
+/// E + G H, as far as it is wanted.
+void BoundView::take_even(const AirTable& table, const AirTable::View& view, const AirFrame& frame,
+                          const std::vector<float>& ground, AirLight light) {
+  const std::size_t n = frame.padded();
+  if (light.emitted) {
+    append_rows(frame, table, view.even, 0, places_, even_);
+  } else {
+    even_.assign(places_ * n, 0.0F);
+  }
+  std::vector<float> night;
+  if (light.scattered != light.emitted && !view.night.empty()) {
+    append_rows(frame, table, view.night, 0, places_, night);
+  }
+  for (std::size_t i = 0; i < night.size(); ++i) {
+    even_[i] = light.scattered ? night[i] : std::max(0.0F, even_[i] - night[i]);
+  }
   std::vector<float> from_ground;
   append_rows(frame, table, view.ground, 0, places_, from_ground);
-  for (std::size_t i = 0; i < even_.size(); ++i) even_[i] += frame.ground[i % n] * from_ground[i];
+  for (std::size_t i = 0; i < even_.size(); ++i) even_[i] += ground[i % n] * from_ground[i];
+}
+
+void BoundView::take_bodies(const AirTable& table, const AirTable::View& view,
+                            const AirFrame& frame) {
+  const std::size_t kinds = static_cast<std::size_t>(table.kinds);
+  bodies_ = frame.bodies.size();
   for (const AirFrame::Body& body : frame.bodies) {
     for (const std::size_t kind : frame.kinds) {
       append_rows(frame, table, view.first, (body.index * kinds + kind) * places_, places_, first_);
@@ -72,7 +97,6 @@ BoundView::BoundView(const AirTable& table, const AirTable::View& view, const Ai
     append_rows(frame, table, view.smooth, body.index * azimuths_ * places_, azimuths_ * places_,
                 smooth_);
   }
-  if (whole) divide_by_loss(table, view, frame);
 }
 
 void BoundView::set_axes(const AirTable::View& view, double horizon_rad) {
@@ -140,7 +164,7 @@ void BoundView::add_bodies(const AirFrame& frame, Vec3 direction, const Cell<N>&
                            LaneBuffer& source) const noexcept {
   const std::size_t n = frame.padded(), block = places_ * n, kinds = frame.kinds.size();
   const double azimuth_rad = azimuths_ > 1 ? std::atan2(direction.x, direction.y) : 0.0;
-  for (std::size_t b = 0; b < frame.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < bodies_; ++b) {
     const AirFrame::Body& body = frame.bodies[b];
     const double apart = std::abs(azimuth_rad - body.azimuth_rad) / std::numbers::pi;
     const Between azimuth = azimuth_.find(apart > 1.0 ? 2.0 - apart : apart);
@@ -168,6 +192,7 @@ void BoundView::add_cell(const AirFrame& frame, const Look& look, const Cell<N>&
                          LaneBuffer& extinction, LaneBuffer& source) const noexcept {
   const std::size_t n = frame.padded();
   mix<true>(extinction.value.data(), cell.in(extinction_.data()), n);
+  if (even_.empty()) return;  // no light is wanted
   mix<true>(source.value.data(), cell.in(even_.data()), n);
   add_bodies(frame, look.direction, cell, source);
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "atmosphere/air_parts.hpp"
 #include "atmosphere/paths/spherical_path.hpp"
 #include "atmosphere/table/air_table.hpp"
 #include "atmosphere/table/axis.hpp"
@@ -21,7 +22,6 @@ struct AirFrame {
     double azimuth_rad = 0.0;  ///< -pi to pi
   };
   std::vector<LaneMatch> matches;  ///< by lane of the block
-  std::vector<float> ground;       ///< G, padded
   double top_m = 0.0, ground_m = 0.0;
   std::vector<Body> bodies;        ///< those whose light the table holds
   std::vector<std::size_t> kinds;  ///< those whose first scattering is not nil
@@ -56,8 +56,13 @@ struct Look {
 
 class BoundView {
  public:
-  /// @param whole  the table's radiances are whole, not divided by 1 - T: as in its sky
-  BoundView(const AirTable& table, const AirTable::View& view, const AirFrame& frame, bool whole);
+  struct Want {
+    AirLight light;
+    bool whole = false;  ///< radiances are to be divided by 1 - T first: those of the table's sky
+  };
+  /// @param ground  what is wanted of G, padded
+  BoundView(const AirTable& table, const AirTable::View& view, const AirFrame& frame,
+            const std::vector<float>& ground, Want want);
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }
   [[nodiscard]] bool sees_ground() const noexcept { return !below_.empty(); }
@@ -83,14 +88,18 @@ class BoundView {
   template <std::size_t N>
   void add_bodies(const AirFrame& frame, Vec3 direction, const Cell<N>& cell,
                   LaneBuffer& source) const noexcept;
+  void take_even(const AirTable& table, const AirTable::View& view, const AirFrame& frame,
+                 const std::vector<float>& ground, AirLight light);
+  void take_bodies(const AirTable& table, const AirTable::View& view, const AirFrame& frame);
   void set_axes(const AirTable::View& view, double horizon_rad);
   void divide_by_loss(const AirTable& table, const AirTable::View& view, const AirFrame& frame);
 
   double height_m_ = 0.0;
   std::size_t places_ = 0, shares_ = 0, azimuths_ = 0;
+  std::size_t bodies_ = 0;  // whose light is wanted: all of the frame's or none
   Axis above_, below_, azimuth_, share_;
   std::vector<float> extinction_;  // [zenith][share][padded lane], as all that follow
-  std::vector<float> even_;        // E + G H
+  std::vector<float> even_;        // E + G H; empty: no light is wanted
   std::vector<float> first_;       // [body][kept kind]...
   std::vector<float> smooth_;      // [body][azimuth]...
 };

@@ -123,7 +123,9 @@ void LayerOperator<N>::diagonalise() {
     }
     k_[0] = quotient;
   }
-  for (double& k : k_) k = std::sqrt(std::max(0.0, k));
+  // max(0, k), written so that no compiler takes roots first, of negative numbers too, and chooses
+  // afterwards
+  for (double& k : k_) k = std::sqrt(0.5 * (k + std::abs(k)));
   diagonalised_ = true;
 }
 

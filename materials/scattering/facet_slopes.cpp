@@ -60,10 +60,7 @@ class BeckmannSlope {
       const double gauss = inv_sqrt_pi * std::exp(-p * p);
       const double excess = 0.5 * (c_ * std::erf(p) - s_ * gauss) + at_lowest_ - wanted;
       (excess > 0.0 ? high : low) = p;
-      const double area = c_ + s_ * p;
-      const double newton = excess / (area * gauss);
-      const double bend = 0.5 * newton * (s_ / area - 2.0 * p);  // Halley: the density's slope
-      const double halley = p - newton / std::max(0.5, 1.0 - bend);
+      const double halley = halley_step(p, excess, gauss);
       const bool inside = halley > low && halley < high;
       const double next = inside ? halley : 0.5 * (low + high);
       // steps converge with the third power: one of 1e-5 leaves less than rounding
@@ -74,6 +71,14 @@ class BeckmannSlope {
   }
 
  private:
+  /// Where the curve through p would end; outside the bracket where facets are seen edge on.
+  [[nodiscard]] double halley_step(double p, double excess, double gauss) const {
+    const double area = c_ + s_ * p;
+    if (area < 1e-100) return lowest_;
+    const double newton = excess / (area * gauss);
+    const double bend = 0.5 * newton * (s_ / area - 2.0 * p);  // Halley: the density's slope
+    return p - newton / std::max(0.5, 1.0 - bend);
+  }
   /// Between the slopes seen from above (Gaussian) and from the horizon (Rayleigh's).
   [[nodiscard]] double guess(double u) const {
     const double slanted = s_ / (s_ + c_);

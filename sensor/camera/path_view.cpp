@@ -89,7 +89,7 @@ Vec2 sensitive(const DetectorArray& array, Vec2 inside) noexcept {
 void draw_stage(const DetectorArray& array, const Sampler& numbers, Exposed& at) noexcept {
   const Timing& timing = array.timing;
   const auto* broom = std::get_if<Pushbroom>(&timing.scan);
-  if (timing.tdi_stages <= 1 || broom == nullptr) return;
+  if (timing.still || timing.tdi_stages <= 1 || broom == nullptr) return;
   const double drawn = std::floor(numbers.number(PathNumber::stage) * timing.tdi_stages);
   const double ahead = drawn - 0.5 * (timing.tdi_stages - 1);
   at.place.row_m += (timing.tdi_reversed ? -ahead : ahead) * array.height_m();
@@ -98,6 +98,7 @@ void draw_stage(const DetectorArray& array, const Sampler& numbers, Exposed& at)
 
 // A moment of the exposure about its centre, or of the detector's memory before it is read.
 void draw_moment(const Timing& timing, const Sampler& numbers, Exposed& at) noexcept {
+  if (timing.still) return;
   if (timing.exposure_s > 0.0)
     at.time_s += (numbers.number(PathNumber::moment) - 0.5) * timing.exposure_s;
   if (timing.lag_s > 0.0) {
@@ -135,7 +136,7 @@ PathView path_view(const DetectorArray& array, const Platform& platform, int sam
     focal.y += spread.displacement_m.y;
   }
   // Built where the caller wants it: copying rays costs as much as computing them.
-  if (platform.has_white_jitter()) {
+  if (platform.has_white_jitter() && !array.timing.still) {
     return {ray_from(array, shaken_pose(platform, at.time_s, numbers), focal), at.time_s, spread};
   }
   return {ray_from(array, platform.at(at.time_s), focal), at.time_s, spread};

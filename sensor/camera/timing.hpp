@@ -39,6 +39,9 @@ struct Timing {
   /// see the ground first), or towards -y with tdi_reversed.
   int tdi_stages = 1;
   bool tdi_reversed = false;
+  /// Nothing moves while light is gathered: all of it counts as of the middle of the exposure (of
+  /// lag: as of the moment of reading) and of the rows. How much light there is does not change.
+  bool still = false;
 };
 
 /// Lag reaches back so many time constants and no further: what came before them weighs

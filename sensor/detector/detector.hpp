@@ -69,7 +69,8 @@ struct Detector {
   Digitiser digitiser;
   double dead_share = 0.0;  ///< of detectors that give nothing, [0, 1)
   std::uint64_t pattern_seed =
-      1;  ///< of what stays from image to image: PRNU, DSNU, dead detectors
+      1;              ///< of what stays from image to image: PRNU, DSNU, dead detectors
+  bool noisy = true;  ///< without: numbers as the mean of many images has them, but for rounding
 };
 
 }  // namespace nadir::sensor

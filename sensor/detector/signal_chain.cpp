@@ -137,6 +137,7 @@ SignalChain::SignalChain(const DetectorArray& array, std::size_t band, const Det
       black_dn_{detector.digitiser.black_level_dn},
       top_dn_{top_of(detector.digitiser)},
       flat_{detector.digitiser.flat},
+      noisy_{detector.noisy},
       pattern_{array, band_key(detector.pattern_seed, array, band), rms_of(detector)},
       falloff_{array, falloff_power(detector)},
       falloff_over_image_{spread_falloff(array, falloff_power(detector))},
@@ -157,17 +158,20 @@ void SignalChain::next_line() {
   of_line_ = line_noise_.next(mix(line_key_, ~std::uint64_t{0}));
 }
 
+double SignalChain::shot(double mean, double normal, std::uint64_t own) const noexcept {
+  return mean < exact_poisson_mean ? poisson_by_sum(mean, to_unit(mix(line_key_, own + 2)))
+                                   : poisson_by_normal(mean, normal);
+}
+
 SignalChain::Pixel SignalChain::pixel(const Photons& p, double radiance, std::size_t sample) const {
   const std::uint64_t own = 4 * static_cast<std::uint64_t>(sample);
   const double falloff = falloff_.at(sample);
   const double signal = std::max(p.per_radiance * falloff * radiance, 0.0);
   const double mean = (signal + p.background) * pattern_.gain(sample) + p.dark;
   const Vec2 z = normal_pair(mix(line_key_, own), mix(line_key_, own + 1));
-  const double shot = mean < exact_poisson_mean
-                          ? poisson_by_sum(mean, to_unit(mix(line_key_, own + 2)))
-                          : poisson_by_normal(mean, z.x);
-  const double charge = std::min(shot, p.full_well);
-  const double read_out = charge + pattern_.offset(sample) + p.read * z.y + of_line_;
+  const double charge = std::min(noisy_ ? shot(mean, z.x, own) : mean, p.full_well);
+  const double noise = noisy_ ? p.read * z.y + of_line_ : 0.0;
+  const double read_out = charge + pattern_.offset(sample) + noise;
   double dn = digitised(p.dn_per_electron * read_out + black_dn_);
   if (flat_ && falloff != 1.0) {
     const double without_light = black_dn_ + p.dn_per_electron * (p.background + p.dark);
@@ -183,7 +187,7 @@ SignalChain::Pixel SignalChain::pixel(const Published& p, double radiance,
   const double variance = p.constant + p.slope * std::max(radiance, 0.0) -
                           rounding_variance * p.radiance_per_dn * p.radiance_per_dn;
   const double z = normal_pair(mix(line_key_, own), mix(line_key_, own + 1)).x;
-  const double measured = radiance + std::sqrt(std::max(variance, 0.0)) * z;
+  const double measured = radiance + (noisy_ ? std::sqrt(std::max(variance, 0.0)) * z : 0.0);
   return {digitised(black_dn_ + measured / p.radiance_per_dn), 0.0, sigma(p, radiance)};
 }
 

@@ -84,11 +84,14 @@ class SignalChain {
   [[nodiscard]] double second_rounding(const Photons& photons, double radiance,
                                        double falloff) const noexcept;
   [[nodiscard]] double digitised(double dn) const noexcept;
+  /// Electrons of a pixel. @param own  its random numbers
+  [[nodiscard]] double shot(double mean, double normal, std::uint64_t own) const noexcept;
   void next_line();
 
   Element element_;
   double black_dn_ = 0.0, top_dn_ = 0.0;
   bool flat_ = true;
+  bool noisy_ = true;
   FixedPattern pattern_;
   FallOff falloff_;
   std::vector<double> falloff_over_image_;  ///< at places spread over it; empty: 1 everywhere

@@ -10,10 +10,13 @@
 #include "sim/cli/ephemeris_command.hpp"
 #include "sim/cli/exit_codes.hpp"
 #include "sim/cli/materials_command.hpp"
+#include "sim/cli/merge_command.hpp"
+#include "sim/cli/plan_command.hpp"
 #include "sim/cli/project_command.hpp"
 #include "sim/cli/run_command.hpp"
 #include "sim/cli/schema_command.hpp"
 #include "sim/cli/sensor_command.hpp"
+#include "sim/cli/study_command.hpp"
 #include "sim/cli/temperature_command.hpp"
 #include "sim/cli/validate_command.hpp"
 
@@ -30,9 +33,12 @@ int run(int argc, char** argv) {
   nadir::sim::add_detect_command(app);
   nadir::sim::add_ephemeris_command(app);
   nadir::sim::add_materials_command(app);
+  nadir::sim::add_merge_command(app);
+  nadir::sim::add_plan_command(app);
   nadir::sim::add_project_command(app);
   nadir::sim::add_schema_command(app);
   nadir::sim::add_sensor_command(app);
+  nadir::sim::add_study_command(app);
   nadir::sim::add_temperature_command(app);
   try {
     app.parse(argc, argv);
@@ -51,6 +57,8 @@ int main(int argc, char** argv) {
   } catch (const nadir::InputError& error) {
     fmt::print(stderr, "{}", error.what());
     return nadir::sim::exit_bad_input;
+  } catch (const nadir::sim::PromiseNotKept&) {
+    return nadir::sim::exit_promise_not_kept;
   } catch (const std::exception& error) {
     fmt::print(stderr, "nadir: {}\n", error.what());
     return nadir::sim::exit_our_fault;

@@ -8,6 +8,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "sim/cli/exit_codes.hpp"
+#include "sim/run/accuracy_options.hpp"
 #include "sim/run/progress.hpp"
 #include "sim/run/run.hpp"
 
@@ -16,6 +18,8 @@ namespace {
 
 struct RunCommandOptions {
   RunOptions run;
+  std::string accuracy, time;  // as typed
+  int audit = -1;              // as many pixels as 3 % of the run pay for
   bool quiet = false;
 };
 
@@ -40,22 +44,39 @@ void print_outcome(const RunOutcome& outcome) {
   fmt::print("{}\n", outcome.report_file.string());
 }
 
-void run_scenario(RunCommandOptions options) {
-  if (options.run.output.empty()) {
-    options.run.output = std::filesystem::path{"out"} / options.run.scenario.stem();
+/// What was typed as numbers, and a folder where none was named.
+void settle(RunCommandOptions& options) {
+  RunOptions& run = options.run;
+  if (run.output.empty()) run.output = std::filesystem::path{"out"} / run.scenario.stem();
+  if (!options.accuracy.empty()) run.accuracy = parse_accuracy(options.accuracy);
+  if (!options.time.empty()) run.time_s = parse_duration(options.time);
+  if (options.audit >= 0) run.audit = options.audit;
+}
+
+void check_finite(const RunReport& report) {
+  for (const ArraySummary& array : report.arrays) {
+    if (array.invalid_pixels == 0) continue;
+    throw std::runtime_error{fmt::format("{} pixels of array {} have no finite radiance",
+                                         array.invalid_pixels, array.name)};
   }
+}
+
+void run_scenario(RunCommandOptions options) {
+  settle(options);
   Progress progress{stderr, Progress::style_for(stderr, options.quiet)};
   options.run.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+  if (!options.quiet) {
+    options.run.tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  }
   const RunOutcome outcome = run_scenario(options.run);
   for (const std::string& warning : outcome.report.warnings) {
     fmt::print(stderr, "warning: {}\n", warning);
   }
   if (!options.quiet) print_outcome(outcome);
-  for (const ArraySummary& array : outcome.report.arrays) {
-    if (array.invalid_pixels == 0) continue;
-    throw std::runtime_error{fmt::format("{} pixels of array {} have no finite radiance",
-                                         array.invalid_pixels, array.name)};
-  }
+  check_finite(outcome.report);
+  if (outcome.broken_promises.empty()) return;
+  for (const std::string& promise : outcome.broken_promises) fmt::print(stderr, "{}\n", promise);
+  throw PromiseNotKept{};
 }
 
 }  // namespace
@@ -75,6 +96,20 @@ void add_run_command(CLI::App& app) {
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0x7FFFFFFFFFFFFFFF}));
   command->add_option("--threads", options->run.threads, "Threads; 0: one per processor [0]")
       ->check(CLI::Range(0, 1024));
+  command->add_option("--accuracy", options->accuracy,
+                      "Sample every band of every pixel to this relative standard error, as 1%; "
+                      "solver and wavelengths are chosen");
+  command->add_option("--time", options->time,
+                      "Sample until the run has taken so long, as 60s or 10min; solver and "
+                      "wavelengths are chosen");
+  command
+      ->add_option("--audit", options->audit,
+                   "Pixels to be rendered again with the effects that were left out; 0: none "
+                   "[as many as 3 % of the run's time pay for]")
+      ->check(CLI::Range(0, 100000000));
+  command->add_flag("--more", options->run.more, "Add as many samples again to a finished run");
+  command->add_flag("--fresh", options->run.fresh,
+                    "Start over: forget what an earlier run has left in the folder");
   command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");
   command->callback([options] { run_scenario(*options); });
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "atmosphere/table/air_table.hpp"
@@ -40,6 +41,12 @@ void for_each_view_array(Table& table, View& view, const std::string& prefix, co
   visit(prefix + "smooth", view.smooth, AirShape{body, azimuth, zenith, share, lane});
   visit(prefix + "even", view.even, AirShape{zenith, share, lane});
   visit(prefix + "ground", view.ground, AirShape{zenith, share, lane});
+  visit(prefix + "night", view.night, AirShape{zenith, share, lane});
+}
+
+/// Whether a table may lack an array: then it is 0.
+[[nodiscard]] inline bool may_lack(std::string_view array) {
+  return array.starts_with("night_") || array.ends_with(".night");
 }
 
 /// Calls visit(name, vector, shape) for every array, in the order of the file. The vector is one of
@@ -57,6 +64,7 @@ void for_each_array(Table& table, const Visit& visit) {
   }
   visit("spherical_albedo", table.spherical_albedo, AirShape{lane});
   visit("even_ground_irradiance", table.even_ground_irradiance, AirShape{lane});
+  visit("night_ground_irradiance", table.night_ground_irradiance, AirShape{lane});
   visit("night_top", table.night_top, AirShape{lane});
   visit("phase_grid", table.phase_grid, AirShape{angle});
   visit("phase", table.phase,

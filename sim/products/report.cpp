@@ -104,6 +104,8 @@ std::string to_json(const RunReport& report) {
   json["settings"] = json_of(report.settings);
   if (!report.air.empty()) json["air"] = json_of(report.air);
   if (!report.heat.empty()) json["heat"] = json_of(report.heat);
+  const Json promises = Json::parse(promises_json(report.promises));
+  for (const auto& [key, value] : promises.items()) json[key] = value;
   json["inputs"] = list(report.inputs);
   json["stages"] = list(report.stages);
   json["counters"] = report.counters;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/products/promises.hpp"
 #include "sim/run/image.hpp"
 
 namespace nadir::sim {
@@ -85,6 +86,7 @@ struct RunReport {
   ReportValues settings;  ///< solver, sampling, seed, threads
   ReportValues air;       ///< how the air was computed; empty where nothing was
   ReportValues heat;      ///< what the heat balance cost; empty where nothing was solved
+  Promises promises;      ///< effects, prediction and fact, audit, goal, bias
   std::vector<FileRecord> inputs;
   std::vector<StageTime> stages;
   std::map<std::string, std::uint64_t> counters;  ///< rays of each kind, thresholds that bit

@@ -145,8 +145,11 @@ ToneCurve fit_tone_curve(const ArrayImage& image, const BandChoice& choice) {
 }
 
 Picture tone_map(const ArrayImage& image, const BandChoice& choice) {
+  return tone_map(image, choice, fit_tone_curve(image, choice));
+}
+
+Picture tone_map(const ArrayImage& image, const BandChoice& choice, const ToneCurve& curve) {
   const auto channels = channels_of(image, choice);
-  const ToneCurve curve = fit_tone_curve(image, choice);
   Picture picture;
   picture.pixels.assign(image.pixels(), invalid_colour);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {

@@ -52,6 +52,9 @@ struct ToneCurve {
 /// Paints one band in grey, or three in colour, through the curve and the sRGB transfer function
 /// (IEC 61966-2-1). Pixels whose radiance is no finite number get `invalid_colour`.
 [[nodiscard]] Picture tone_map(const ArrayImage& image, const BandChoice& choice);
+/// The same through a given curve, so that several images can be compared.
+[[nodiscard]] Picture tone_map(const ArrayImage& image, const BandChoice& choice,
+                               const ToneCurve& curve);
 
 /// Which pixels to take statistics from: those that see a surface, or all where fewer than one in
 /// a hundred does or the truth is not there.

@@ -3,18 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "atmosphere/make/lane_fields.hpp"
+#include "radiometry/air_effects.hpp"
 #include "sim/files/hash.hpp"
 #include "sim/run/air_memory.hpp"
 
 namespace nadir::sim {
 namespace {
 
+using atmosphere::AirParts;
 using atmosphere::AirTable;
+using spectral::AbsorptionLane;
 
 std::int64_t whole(std::size_t count) { return static_cast<std::int64_t>(count); }
 
@@ -61,16 +65,34 @@ void warn_of_error(const AirTable& table, const SourceLocation& where, Diagnosti
           diagnostics);
 }
 
+/// What the air is to serve.
+struct AirWanted {
+  const BandNodes& per_band;
+  std::span<const radiometry::EffectSet> effects;  // by array
+};
+
+/// Lanes of the camera's nodes, each with what is wanted there.
+AirLanes lanes_wanted(const LayeredTask& task, const World& world, const AirWanted& want,
+                      const std::vector<AirParts>& wanted) {
+  AirLanes air = plan_camera(world.camera.arrays, want.per_band, task.air, task.settings).air;
+  for (atmosphere::SplitLane& lane : air.lanes) {
+    lane.wanted = wanted[static_cast<std::size_t>(lane.source)];
+  }
+  return air;
+}
+
 /// Computes the table of air in layers, or finds it in the cache.
-AirTable solve(const LayeredTask& task, const World& world, const BandNodes& wavelengths_per_band,
+AirTable solve(const LayeredTask& task, const World& world, const AirWanted& want,
                const AirCacheOptions& cache, ReportValues& values, Diagnostics& diagnostics) {
   const ephemeris::Illumination& bodies = world.scene.illumination;
   const std::vector<sensor::DetectorArray>& arrays = world.camera.arrays;
-  const AirLanes nodes = air_nodes(arrays, wavelengths_per_band);
-  const std::string key = air_key(task.air, task.settings, nodes, bodies, digest_of(task.figures));
+  const AirLanes nodes = air_nodes(arrays, want.per_band);
+  const std::vector<AirParts> wanted = wanted_of_air(arrays, want.per_band, want.effects);
+  const std::string key =
+      air_key(task.air, task.settings, nodes, bodies, digest_of(task.figures), wanted);
   atmosphere::SolveCounts counts;  // stay 0 where the cache has the table
   const auto make = [&] {          // a kept table knows its lanes: only here are they split
-    const AirLanes air = plan_camera(arrays, wavelengths_per_band, task.air, task.settings).air;
+    const AirLanes air = lanes_wanted(task, world, want, wanted);
     check_memory(world.camera,
                  {air.lanes.size(), air_table_memory(task, air.lanes.size(), bodies.size())});
     return atmosphere::make_air_table(task.air, task.settings, air.lanes, air.wavelengths, bodies,
@@ -135,7 +157,37 @@ void warn_of_bending(const World& world, Diagnostics& diagnostics) {
           diagnostics);
 }
 
+/// The nodes of one of the camera's arrays.
+AirLanes nodes_of_array(const sensor::DetectorArray& array, const BandNodes& per_band,
+                        std::size_t number) {
+  BandNodes own = per_band.everywhere;
+  if (!per_band.by_array.empty()) own.by_array = {per_band.by_array.at(number)};
+  return air_nodes({array}, own);
+}
+
 }  // namespace
+
+std::vector<AirParts> wanted_of_air(const std::vector<sensor::DetectorArray>& arrays,
+                                    const BandNodes& per_band,
+                                    std::span<const radiometry::EffectSet> effects) {
+  const AirLanes all = air_nodes(arrays, per_band);
+  if (effects.empty()) return std::vector<AirParts>(all.wavelengths.size());
+  using Node = std::pair<Micrometres, AbsorptionLane>;
+  std::map<Node, AirParts> of_node;
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const AirLanes own = nodes_of_array(arrays[i], per_band, i);
+    const AirParts parts = radiometry::air_parts(effects[i]);
+    for (std::size_t n = 0; n < own.wavelengths.size(); ++n) {
+      const auto [at, first] = of_node.try_emplace({own.wavelengths[n], own.intervals[n]}, parts);
+      if (!first) at->second = at->second | parts;
+    }
+  }
+  std::vector<AirParts> wanted;
+  for (std::size_t n = 0; n < all.wavelengths.size(); ++n) {
+    wanted.push_back(of_node.at({all.wavelengths[n], all.intervals[n]}));
+  }
+  return wanted;
+}
 
 std::optional<RayBending> camera_bending(const World& world, ReportValues& report) {
   const std::optional<BendingShift> shift = bending_shift(world);
@@ -147,15 +199,21 @@ std::optional<RayBending> camera_bending(const World& world, ReportValues& repor
 }
 
 ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics& diagnostics,
-                        const AirCacheOptions& cache) {
+                        const AirCacheOptions& cache,
+                        std::span<const radiometry::EffectSet> effects) {
   if (!world.air) return {};
+  if (!effects.empty() && std::none_of(effects.begin(), effects.end(), radiometry::needs_air)) {
+    world.scene.atmosphere = atmosphere::None{};
+    return {{"model", std::string{"none: no effect that is simulated needs the air"}}};
+  }
   return at_element(world.air->where, [&] {
     const AirTask& task = *world.air;
     ReportValues values{{"model", std::string{"table"}}};
     std::shared_ptr<const AirTable> table;
     if (task.layered) {
-      table = std::make_shared<const AirTable>(
-          solve(*task.layered, world, sampling.wavelengths_per_band, cache, values, diagnostics));
+      table = std::make_shared<const AirTable>(solve(*task.layered, world,
+                                                     {sampling.wavelengths_per_band, effects},
+                                                     cache, values, diagnostics));
     } else {
       table = std::get<atmosphere::Tabulated>(world.scene.atmosphere).table;
     }

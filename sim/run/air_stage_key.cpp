@@ -12,7 +12,7 @@ namespace {
 
 /// What the solver computes from given inputs: to be raised whenever its results change between
 /// two releases of the program.
-constexpr int physics_version = 2;
+constexpr int physics_version = 3;
 
 /// A text that grows line by line; doubles in the shortest form that reads back the same.
 class KeyText {
@@ -58,6 +58,18 @@ void add_settings(const atmosphere::AirSettings& s, KeyText& key) {
            s.paths, s.dark_below);
 }
 
+/// A letter for each part that is solved for; nothing where that is everything.
+std::string letters(const atmosphere::AirParts& parts) {
+  if (parts == atmosphere::AirParts{}) return {};
+  std::string text = " ";
+  text += parts.sky_scattering ? "s" : "-";
+  text += parts.sky_emission ? "e" : "-";
+  text += parts.path_scattering ? "S" : "-";
+  text += parts.path_emission ? "E" : "-";
+  text += parts.path_transmittance ? "T" : "-";
+  return text;
+}
+
 void add_bodies(const ephemeris::Illumination& bodies, const AirLanes& lanes, KeyText& key) {
   for (const ephemeris::LightSource& body : bodies) {
     const Vec3 towards = body.direction_enu;
@@ -74,7 +86,7 @@ void add_bodies(const ephemeris::Illumination& bodies, const AirLanes& lanes, Ke
 
 std::string air_key(const atmosphere::Layered& air, const atmosphere::AirSettings& settings,
                     const AirLanes& nodes, const ephemeris::Illumination& bodies,
-                    const std::string& figures) {
+                    const std::string& figures, std::span<const atmosphere::AirParts> wanted) {
   KeyText key;
   key.line("nadir {} air {} {} {}", NADIR_VERSION, physics_version, air_table_version, figures);
   add_profile(air.profile, key);
@@ -85,8 +97,8 @@ std::string air_key(const atmosphere::Layered& air, const atmosphere::AirSetting
   key.curve("urban glow", air.night.urban_glow);
   add_settings(settings, key);
   for (std::size_t i = 0; i < nodes.wavelengths.size(); ++i) {
-    key.line("node {} {} {}", nodes.wavelengths[i].value, nodes.intervals[i].lo_um,
-             nodes.intervals[i].hi_um);
+    key.line("node {} {} {}{}", nodes.wavelengths[i].value, nodes.intervals[i].lo_um,
+             nodes.intervals[i].hi_um, wanted.empty() ? "" : letters(wanted[i]));
   }
   add_bodies(bodies, nodes, key);
   return key.take();

@@ -34,6 +34,7 @@ class ErrorList {
       }
     });
   }
+  [[nodiscard]] bool any() const noexcept { return !issues_.empty(); }
   /// @throws InputError with everything that was kept, if there is anything
   void throw_if_any() const {
     if (!issues_.empty()) throw InputError{issues_};

@@ -27,9 +27,12 @@ struct BandImage {
   std::vector<float>
       brightness_temperature_error;  ///< K, the standard error carried over; as above
   EffectShares shares{};             ///< in the unit of the radiance; empty unless asked for
-  std::vector<std::uint16_t> dn{};   ///< digital numbers; empty without a detector
-  std::vector<float> electrons{};    ///< noise-free; empty unless asked for
-  std::vector<float> noise{};        ///< sigma of the sensor's own noise, as radiance; as `dn`
+  /// What is known of the error that sampling does not show (steps of the wavelength, bounces cut
+  /// off, effects left out), in the unit of the radiance; empty unless it was stated.
+  std::vector<float> bias{};
+  std::vector<std::uint16_t> dn{};  ///< digital numbers; empty without a detector
+  std::vector<float> electrons{};   ///< noise-free; empty unless asked for
+  std::vector<float> noise{};       ///< sigma of the sensor's own noise, as radiance; as `dn`
 };
 
 /// What the pixels looked at. Ids by majority of the pixel's paths, the rest by their mean over
@@ -89,16 +92,23 @@ inline constexpr auto place_planes = std::to_array<TruthPlane<double>>({
     {"time", "s", "time_s", &TruthImage::time_s},
 });
 
-/// Whole lines of what one detector array delivers: all of them, or a strip of consecutive ones.
+/// What one detector array delivers: all of it, a strip of consecutive whole lines, or a tile.
 struct ArrayImage {
   std::string name;
-  int samples = 0, lines = 0;  ///< of the strip
+  int samples = 0, lines = 0;  ///< of the strip or tile
   std::vector<BandImage> bands;
   TruthImage truth;
   int first_line = 0;       ///< of the strip, in the image
   int all_lines = 0;        ///< of the image; 0: as many as `lines`
-  std::uint32_t paths = 0;  ///< a pixel
+  std::uint32_t paths = 0;  ///< a pixel; where there is `pixel_paths`, the most
+  /// Of each pixel, where they differ: sampled to a goal, or merged. Else empty.
+  std::vector<std::uint32_t> pixel_paths{};
+  int first_sample = 0;  ///< of the tile, in the image
 
+  /// Paths of a pixel, however they are kept.
+  [[nodiscard]] std::uint32_t paths_of(std::size_t pixel) const {
+    return pixel_paths.empty() ? paths : pixel_paths[pixel];
+  }
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(samples) * static_cast<std::size_t>(lines);
   }

@@ -55,12 +55,14 @@ class SkyLoader {
         seen_{ephemeris::sun_and_moon(scenario.time,
                                       {scenario.origin.latitude_deg, scenario.origin.longitude_deg,
                                        scenario.origin.height_m})},
-        lit_{what_lights(seen_, scenario.origin.height_m, is_dark(sky.solar_irradiance))},
+        lit_{what_lights(seen_, scenario.origin.height_m,
+                         !sky.sun_shines || is_dark(sky.solar_irradiance))},
         files_{files},
         diagnostics_{diagnostics} {}
 
   [[nodiscard]] ephemeris::Illumination load() {
     ephemeris::Illumination bodies{sun()};
+    if (!sky_.moon_shines) return bodies;
     if (sky_.lunar_irradiance) {
       bodies.push_back(ephemeris::moon_light(seen_.moon, irradiance(*sky_.lunar_irradiance)));
     } else if (lit_.moon) {
@@ -82,13 +84,17 @@ class SkyLoader {
     return read_curve(library_file("solar.csv"), "", SpectrumQuantity::irradiance, Outside::reject);
   }
 
+  [[nodiscard]] Curve sunlight() {
+    if (!sky_.sun_shines) return Curve::constant(0.0);
+    if (sky_.solar_irradiance) return irradiance(*sky_.solar_irradiance);
+    return lit_.sun ? library_sun() : Curve::constant(0.0);
+  }
+
   // A sun that does not light is dark, but the truth planes still tell where it stands.
   [[nodiscard]] ephemeris::LightSource sun() {
-    const Curve at_1au = sky_.solar_irradiance ? irradiance(*sky_.solar_irradiance)
-                         : lit_.sun            ? library_sun()
-                                               : Curve::constant(0.0);
-    const ephemeris::Eclipse eclipse = ephemeris::solar_eclipse(seen_);
-    if (eclipse.any() && lit_.sun) {
+    const Curve at_1au = sunlight();
+    const auto eclipse = sky_.eclipses ? ephemeris::solar_eclipse(seen_) : ephemeris::Eclipse{};
+    if (eclipse.any() && lit_.sun && sky_.sun_shines) {
       diagnostics_.warn(fmt::format("a solar eclipse: the moon covers {:.1f} % of the sun's disc",
                                     100.0 * (1.0 - eclipse.sunlight.area)));
     }
@@ -98,7 +104,8 @@ class SkyLoader {
   [[nodiscard]] ephemeris::LightSource modelled_moon() {
     const auto modelled = ephemeris::lunar_irradiance(read_lunar_model(library_file("moon.csv")),
                                                       seen_.lunar, library_sun());
-    const auto eclipse = ephemeris::lunar_eclipse(ephemeris::earth_shadow(time_));
+    const auto eclipse = sky_.eclipses ? ephemeris::lunar_eclipse(ephemeris::earth_shadow(time_))
+                                       : ephemeris::Eclipse{};
     if (eclipse.any()) {
       diagnostics_.warn(fmt::format("a lunar eclipse: the moon has {:.3g} of its light at 0.55 um",
                                     eclipse.factor(Micrometres{0.55})));

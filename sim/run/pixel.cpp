@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "sim/run/brightness.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -15,6 +18,18 @@ bool depends_on_band(const sensor::DetectorArray& array) {
   return array.spread && array.spread->depends_on_band();
 }
 
+int replicates_of(const RenderOptions& options) {
+  return options.goal != nullptr ? options.goal->replicates : options.sampling.replicates;
+}
+
+TruthOptions truth_of(const ArrayJob& job, const PixelRound& round) {
+  return round.truth() ? job.truth : TruthOptions{.planes = false};
+}
+
+std::size_t pixel_in(const ArrayImage& image, int sample, int line) {
+  return pixel_number(image.samples, sample - image.first_sample, line - image.first_line);
+}
+
 }  // namespace
 
 Sampler path_numbers(std::uint64_t array_key, const sensor::DetectorArray& array,
@@ -24,16 +39,27 @@ Sampler path_numbers(std::uint64_t array_key, const sensor::DetectorArray& array
           static_cast<std::uint32_t>(number.path)};
 }
 
+std::uint64_t round_key(std::uint64_t seed, std::size_t array, std::uint32_t round) {
+  // Beyond the number of any pixel, with which keys of pixels are made from the same one.
+  constexpr std::uint64_t beyond_pixels = 0x726F756E64730000ULL;
+  const std::uint64_t key = mix(seed, array);
+  return round == 0 ? key : mix(mix(key, beyond_pixels), round);
+}
+
 PixelRenderer::PixelRenderer(const ArrayJob& job, const RenderOptions& options,
-                             std::uint64_t array_key)
+                             const PixelRound& round)
     : job_{&job},
       options_{&options},
-      array_key_{array_key},
+      round_{round},
+      replicates_{replicates_of(options)},
       weighted_{depends_on_band(*job.array)},
       weights_(job.array->bands.size()),
       means_(job.array->bands.size()),
-      bands_{job.array->bands.size(), options.sampling.replicates, weighted_},
-      truth_{*job.scene, job.truth} {
+      bands_{job.array->bands.size(), replicates_, weighted_},
+      truth_{*job.scene, truth_of(job, round)},
+      found_(job.array->bands.size()),
+      known_(job.array->bands.size()),
+      errors_(job.array->bands.size(), ErrorStatement{replicates_}) {
   for (const radiometry::LitScene& block : job.blocks) {
     if (job.scene->method == radiometry::Method::path) {
       solvers_.emplace_back(radiometry::PathSolver{block});
@@ -60,30 +86,121 @@ radiometry::Counters PixelRenderer::counters() const {
   return all;
 }
 
-void PixelRenderer::render(int sample, int line, ArrayImage& strip) {
-  const sensor::DetectorArray& array = *job_->array;
-  const std::size_t pixel = pixel_number(strip.samples, sample, line - strip.first_line);
+void PixelRenderer::begin_pixel(int sample, int line) {
+  sample_ = sample;
+  line_ = line;
+  samples_ = 0;
   truth_.begin_pixel();
   bands_.begin_pixel();
+  for (ErrorStatement& error : errors_) error.begin_pixel();
   for (auto* sums : {&path_, &emission_}) {
     for (auto& sum : *sums) sum = spectral::SpectrumSum{sum.count()};
   }
-  for (int replicate = 0; replicate < options_->sampling.replicates; ++replicate) {
-    for (auto& sum : lane_sums_) sum = spectral::SpectrumSum{sum.count()};
-    for (int path = 0; path < options_->sampling.samples_per_replicate; ++path) {
-      const Sampler numbers = path_numbers(array_key_, array, {sample, line, replicate, path});
-      trace(sensor::path_view(array, *job_->platform, sample, line, numbers), numbers);
-    }
-    close_replicate();
-  }
-  store(pixel, strip);
-  truth_.store(pixel, strip.truth);
-  if (!strip.truth.time_s.empty()) {
-    strip.truth.time_s[pixel] = sensor::image_time_s(array, {sample + 0.5, line + 0.5});
+  load_known();
+}
+
+void PixelRenderer::load_known() {
+  known_paths_ = 0;
+  std::fill(found_.begin(), found_.end(), Estimate{0.0, 0.0});
+  if (round_.known == nullptr) return;
+  const ArrayImage& image = *round_.known;
+  const std::size_t pixel = pixel_in(image, sample_, line_);
+  known_paths_ = image.paths_of(pixel);
+  for (std::size_t band = 0; band < known_.size(); ++band) {
+    known_[band] = {image.bands[band].radiance[pixel], image.bands[band].standard_error[pixel]};
   }
 }
 
-void PixelRenderer::trace(const sensor::PathView& view, const Sampler& numbers) {
+void PixelRenderer::render(int sample, int line, ArrayImage& strip) {
+  begin_pixel(sample, line);
+  sample_as_asked();
+  store(strip);
+}
+
+void PixelRenderer::render(int sample, int line, int samples, ArrayImage& strip) {
+  begin_pixel(sample, line);
+  if (samples > 0) {
+    sample_to(samples);
+    judge();
+  }
+  store(strip);
+}
+
+void PixelRenderer::measure(int sample, int line, PixelMeasure& found) {
+  begin_pixel(sample, line);
+  sample_as_asked();
+  found.bands = found_;
+  found.replicates.resize(found_.size());
+  for (std::size_t band = 0; band < found_.size(); ++band) {
+    found.replicates[band].resize(static_cast<std::size_t>(replicates_));
+    bands_.estimates(band, found.replicates[band]);
+  }
+  found.paths = paths();
+}
+
+void PixelRenderer::sample_as_asked() {
+  if (options_->goal != nullptr) return sample_to_goal();
+  sample_to(options_->sampling.samples_per_replicate);
+  judge();
+}
+
+void PixelRenderer::sample_to_goal() {
+  const SamplingGoal& goal = *options_->goal;
+  if (known_paths_ > 0 && meets_goal()) return;
+  // The first look comes at half the least number, so that two agree when a pixel is done with it.
+  int next = std::max(1, goal.first_samples / 2);
+  while (samples_ < goal.most_samples) {
+    sample_to(std::min(next, goal.most_samples));
+    judge();
+    next = 2 * samples_;
+    if (samples_ < goal.first_samples || !meets_goal()) continue;
+    // Where all replicates are equal, either nothing is random or something rare was not seen yet.
+    const bool all_equal = std::all_of(found_.begin(), found_.end(),
+                                       [](const Estimate& e) { return e.standard_error == 0.0; });
+    if (!all_equal || samples_ >= 2 * goal.first_samples) return;
+  }
+}
+
+bool PixelRenderer::meets_goal() const {
+  const auto& goals = options_->goal->bands[job_->number];
+  for (std::size_t band = 0; band < found_.size(); ++band) {
+    const Estimate all =
+        merged({known_[band], known_paths_}, {found_[band], static_cast<std::uint32_t>(paths())});
+    // What is no number gets none by more samples.
+    if (!std::isfinite(all.mean)) continue;
+    if (!(all.standard_error <= goals[band].error_of(all.mean))) return false;
+  }
+  return true;
+}
+
+void PixelRenderer::judge() {
+  for (std::size_t band = 0; band < found_.size(); ++band) {
+    found_[band] = bands_.estimate(band);
+    if (options_->goal == nullptr) continue;
+    found_[band].standard_error = errors_[band].add(samples_, found_[band].standard_error);
+  }
+}
+
+void PixelRenderer::sample_to(int samples) {
+  const sensor::DetectorArray& array = *job_->array;
+  // Truth planes need no more paths than the least that a pixel gets, but cost a ray each.
+  const int with_truth = options_->goal != nullptr ? std::max(2, options_->goal->first_samples)
+                                                   : std::numeric_limits<int>::max();
+  bands_.begin_round();
+  for (int replicate = 0; replicate < replicates_; ++replicate) {
+    for (auto& sum : lane_sums_) sum = spectral::SpectrumSum{sum.count()};
+    for (int path = samples_; path < samples; ++path) {
+      const Sampler numbers =
+          path_numbers(round_.array_key, array, {sample_, line_, replicate, path});
+      trace(sensor::path_view(array, *job_->platform, sample_, line_, numbers), numbers,
+            path < with_truth);
+    }
+    close_replicate(samples - samples_);
+  }
+  samples_ = samples;
+}
+
+void PixelRenderer::trace(const sensor::PathView& view, const Sampler& numbers, bool truth) {
   const geometry::Scene& scene = job_->scene->geometry;
   const geometry::Ray& ray = view.ray;
   const RayBending* bending = options_->bending;
@@ -98,7 +215,7 @@ void PixelRenderer::trace(const sensor::PathView& view, const Sampler& numbers) 
   }
   if (weighted_) add_weighted(view);
   if (options_->shares) add_shares(ray, hit);
-  truth_.add(ray, hit ? &*hit : nullptr, numbers);
+  if (truth) truth_.add(ray, hit ? &*hit : nullptr, numbers);
 }
 
 template <class Values>
@@ -125,38 +242,35 @@ void PixelRenderer::add_shares(const geometry::Ray& ray, const std::optional<geo
   }
 }
 
-void PixelRenderer::close_replicate() {
+void PixelRenderer::close_replicate(int samples) {
   for (std::size_t band = 0; band < means_.size(); ++band) {
-    means_[band] = of_band(band, lane_sums_) / options_->sampling.samples_per_replicate;
+    means_[band] = of_band(band, lane_sums_) / samples;
   }
-  bands_.close_replicate(means_, options_->sampling.samples_per_replicate);
+  bands_.close_replicate(means_, samples);
 }
 
-void PixelRenderer::store_brightness(std::size_t pixel, std::size_t band, const Estimate& radiance,
-                                     BandImage& image) const {
-  const auto& quadrature = job_->plan.quadratures[band];
-  const auto temperature_of = [&](double value) {
-    return spectral::band_brightness_temperature(quadrature, SpectralRadiance{value}).value;
-  };
-  const double kelvin = temperature_of(radiance.mean);
-  image.brightness_temperature[pixel] = static_cast<float>(kelvin);
-  // The error carried through Planck's law: to first order, by a difference that stays in it.
-  const double step = 1e-4 * radiance.mean;
-  const double slope = (temperature_of(radiance.mean + step) - kelvin) / step;
-  image.brightness_temperature_error[pixel] = static_cast<float>(slope * radiance.standard_error);
-}
-
-void PixelRenderer::store(std::size_t pixel, ArrayImage& strip) const {
-  const double paths = options_->sampling.replicates * options_->sampling.samples_per_replicate;
+void PixelRenderer::store(ArrayImage& strip) const {
+  const std::size_t pixel = pixel_in(strip, sample_, line_);
+  const double all_paths = std::max(1U, paths());
+  if (!strip.pixel_paths.empty()) strip.pixel_paths[pixel] = paths();
   for (std::size_t band = 0; band < strip.bands.size(); ++band) {
-    const Estimate estimate = bands_.estimate(band);
+    const Estimate& estimate = found_[band];
     BandImage& image = strip.bands[band];
     image.radiance[pixel] = static_cast<float>(estimate.mean);
     image.standard_error[pixel] = static_cast<float>(estimate.standard_error);
-    if (!image.brightness_temperature.empty()) store_brightness(pixel, band, estimate, image);
+    if (!image.brightness_temperature.empty() && samples_ > 0) {
+      const Estimate kelvin = brightness_temperature(job_->plan.quadratures[band], estimate);
+      image.brightness_temperature[pixel] = static_cast<float>(kelvin.mean);
+      image.brightness_temperature_error[pixel] = static_cast<float>(kelvin.standard_error);
+    }
     if (!options_->shares) continue;
-    image.shares.path[pixel] = static_cast<float>(of_band(band, path_) / paths);
-    image.shares.emission[pixel] = static_cast<float>(of_band(band, emission_) / paths);
+    image.shares.path[pixel] = static_cast<float>(of_band(band, path_) / all_paths);
+    image.shares.emission[pixel] = static_cast<float>(of_band(band, emission_) / all_paths);
+  }
+  if (!round_.truth()) return;
+  truth_.store(pixel, strip.truth);
+  if (!strip.truth.time_s.empty()) {
+    strip.truth.time_s[pixel] = sensor::image_time_s(*job_->array, {sample_ + 0.5, line_ + 0.5});
   }
 }
 

@@ -12,6 +12,7 @@
 #include "sim/run/band_sums.hpp"
 #include "sim/run/image.hpp"
 #include "sim/run/render.hpp"
+#include "sim/run/sampling_goal.hpp"
 #include "sim/run/truth_sums.hpp"
 
 namespace nadir::sim {
@@ -33,35 +34,70 @@ struct ArrayJob {
   ArrayPlan plan;
   std::vector<radiometry::LitScene> blocks;  ///< the scene at each block of lanes
   TruthOptions truth;
+  std::size_t number = 0;  ///< of the array
+};
+
+/// One round of an array's samples.
+struct PixelRound {
+  std::uint64_t array_key = 0;        ///< of the round's random numbers
+  const ArrayImage* known = nullptr;  ///< what former rounds found, merged; null: nothing
+  [[nodiscard]] bool truth() const { return known == nullptr; }  ///< sampled once, at first
+};
+/// The key of a round's random numbers: independent of those of all other rounds and arrays.
+[[nodiscard]] std::uint64_t round_key(std::uint64_t seed, std::size_t array, std::uint32_t round);
+
+/// What was found at one pixel, by band.
+struct PixelMeasure {
+  std::vector<Estimate> bands;                  ///< W m^-2 sr^-1 um^-1
+  std::vector<std::vector<double>> replicates;  ///< [band][replicate]: means of the replicates
+  std::uint32_t paths = 0;                      ///< sampled
 };
 
 /// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and
 /// all scratch memory, so that a pixel allocates nothing.
 class PixelRenderer {
  public:
-  PixelRenderer(const ArrayJob& job, const RenderOptions& options, std::uint64_t array_key);
+  PixelRenderer(const ArrayJob& job, const RenderOptions& options, const PixelRound& round);
 
-  /// Computes a pixel and stores it in the strip; pixels may be computed in any order.
-  /// @param line  of the image
+  /// Computes a pixel and stores it in the strip or tile; pixels may be computed in any order.
+  /// Where the options have a goal, it is sampled until what it found, merged with what former
+  /// rounds found, meets that; else as often as the options say.
+  /// @param sample, line  of the image
   void render(int sample, int line, ArrayImage& strip);
+  /// The same with so many samples a replicate, whatever the goal; none leaves the pixel blank.
+  void render(int sample, int line, int samples, ArrayImage& strip);
+  /// Computes a pixel and gives what was found, without storing it.
+  /// @param found  is filled; its vectors keep their memory
+  void measure(int sample, int line, PixelMeasure& found);
   [[nodiscard]] radiometry::Counters counters() const;
 
  private:
+  void begin_pixel(int sample, int line);
+  void sample_as_asked();
+  void sample_to_goal();
+  void load_known();
+  /// More samples of every replicate, up to a number.
+  void sample_to(int samples);
   /// One path: adds what it saw to the sums of all blocks.
-  void trace(const sensor::PathView& view, const Sampler& numbers);
+  void trace(const sensor::PathView& view, const Sampler& numbers, bool truth);
   void add_weighted(const sensor::PathView& view);
   void add_shares(const geometry::Ray& ray, const std::optional<geometry::Hit>& hit);
   /// Radiance of a band from values of every block's lanes.
   template <class Values>
   [[nodiscard]] double of_band(std::size_t band, const Values& by_block) const;
-  void close_replicate();
-  void store(std::size_t pixel, ArrayImage& strip) const;
-  void store_brightness(std::size_t pixel, std::size_t band, const Estimate& radiance,
-                        BandImage& image) const;
+  void close_replicate(int samples);
+  /// What is known of a band after the present samples, its error stated as the options ask.
+  void judge();
+  [[nodiscard]] bool meets_goal() const;
+  [[nodiscard]] std::uint32_t paths() const {
+    return static_cast<std::uint32_t>(replicates_) * static_cast<std::uint32_t>(samples_);
+  }
+  void store(ArrayImage& strip) const;
 
   const ArrayJob* job_;
   const RenderOptions* options_;
-  std::uint64_t array_key_;
+  PixelRound round_;
+  int replicates_;
   using Solver = std::variant<radiometry::GenericSolver, radiometry::PathSolver>;
   std::vector<Solver> solvers_;                         // one a block
   std::vector<spectral::SpectrumSum> lane_sums_;        // one a block, of a replicate
@@ -71,6 +107,10 @@ class PixelRenderer {
   std::vector<double> weights_, means_;  // one a band
   BandSums bands_;
   TruthSums truth_;
+  int sample_ = 0, line_ = 0, samples_ = 0;  // of the present pixel
+  std::vector<Estimate> found_, known_;      // one a band
+  std::vector<ErrorStatement> errors_;       // one a band
+  std::uint32_t known_paths_ = 0;
 };
 
 }  // namespace nadir::sim

@@ -1,37 +1,57 @@
 #include "sim/run/run.hpp"
 
-#include <fstream>
-#include <optional>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "core/error.hpp"
-#include "sim/run/air_stage.hpp"
+#include "sim/run/audit.hpp"
 #include "sim/run/check_view.hpp"
-#include "sim/run/detect.hpp"
 #include "sim/run/heat_ahead.hpp"
-#include "sim/run/render.hpp"
-#include "sim/run/stage_clock.hpp"
+#include "sim/run/imaging.hpp"
+#include "sim/run/pilot.hpp"
+#include "sim/run/prediction.hpp"
+#include "sim/run/prepare.hpp"
+#include "sim/run/promise_report.hpp"
+#include "sim/run/run_key.hpp"
+#include "sim/run/tile_journal.hpp"
 #include "sim/run/tiles.hpp"
-#include "sim/run/world.hpp"
 #include "sim/scenario/read_scenario.hpp"
 
 namespace nadir::sim {
 namespace {
 
-ReportValues settings_of(const Scenario& scenario, const RunOptions& options) {
-  const auto& solver = scenario.solver;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+ReportValues settings_of(const PreparedRun& run, const RunOptions& options) {
+  const radiometry::SceneDescription& scene = run.world.scene;
+  const materials::SolverSettings& solver = scene.solver;
   const auto integer = [](auto value) { return static_cast<std::int64_t>(value); };
-  const bool path = scenario.method == radiometry::Method::path;
+  const bool path = scene.method == radiometry::Method::path;
+  int most_wavelengths = 0;
+  for (const ArrayPlan& array : run.plan.arrays) {
+    for (const auto& band : array.quadratures) {
+      most_wavelengths = std::max(most_wavelengths, static_cast<int>(band.wavelengths.size()));
+    }
+  }
   return {{"solver", std::string{path ? "path" : "generic"}},
-          {"path_max_bounces", integer(scenario.path_max_bounces)},
+          {"path_max_bounces", integer(scene.path_max_bounces)},
           {"initial_sample_count", integer(solver.initial_sample_count)},
           {"sample_decay_rate", solver.sample_decay_rate},
           {"max_bounces", integer(solver.max_bounces)},
           {"mu_samples", integer(solver.mu_samples)},
           {"phi_samples", integer(solver.phi_samples)},
           {"min_quad_samples", integer(solver.min_quad_samples)},
-          {"replicates", integer(scenario.sampling.replicates)},
-          {"samples_per_replicate", integer(scenario.sampling.samples_per_replicate)},
-          {"wavelengths_per_band", integer(scenario.sampling.wavelengths_per_band.everywhere)},
+          {"replicates", integer(run.goal ? run.goal->replicates : run.sampling.replicates)},
+          {"samples_per_replicate",
+           integer(run.goal ? run.goal->first_samples : run.sampling.samples_per_replicate)},
+          {"wavelengths_per_band", integer(most_wavelengths)},
           {"seed", integer(options.seed)},
           {"threads", integer(options.threads > 0 ? options.threads : available_threads())}};
 }
@@ -56,171 +76,176 @@ std::map<std::string, std::uint64_t> counters_of(const radiometry::Counters& c) 
           {"bounce_limit_stops", c.bounce_limit_stops}};
 }
 
-ProductContext context_of(const Scenario& scenario, Diagnostics& diagnostics) {
-  ProductContext context;
-  context.scenario_name = scenario.name;
-  context.title = scenario.title;
-  context.time_utc = scenario.time.to_string();
-  context.version = NADIR_VERSION;
-  context.wanted = scenario.products;
-  context.diagnostics = &diagnostics;
-  return context;
-}
-
-/// How the products place themselves on the earth.
-ProductGeometry geometry_of(const Scenario& scenario, const World& world) {
-  const geometry::Scene& scene = world.scene.geometry;
-  const geometry::Bounds box = scene.bounds();
-  const double middle_up_m = 0.5 * (box.lo.z + box.hi.z);
-  const auto surface = [&scene](const geometry::Ray& ray) -> std::optional<Vec3> {
-    const auto hit = scene.intersect(ray);
-    return hit ? std::optional{hit->position} : std::nullopt;
-  };
-  return {&world.camera, world.frame,
-          scenario.time, world.scene.illumination,
-          surface,       world.frame.geodetic({0.0, 0.0, middle_up_m}).height_m};
-}
-
-RenderOptions render_options(const Scenario& scenario, const RunOptions& options,
-                             const World& world) {
-  RenderOptions render;
-  render.sampling = scenario.sampling;
-  render.seed = options.seed;
-  render.threads = options.threads;
-  render.truth = scenario.products.truth;
-  render.progress = options.progress;
-  render.asks_for_heat = &world.asks_for_heat;
-  render.sky_view = scenario.products.sky_view;
-  render.fractions = scenario.products.fractions;
-  render.shares = scenario.products.statistics;
-  render.frame = &world.frame;
-  render.object_names = &world.object_names;
-  return render;
-}
-
-/// Renders, lets the detectors count and writes, strip by strip.
-struct Imaging {
-  RenderOptions render;
-  ProductContext products;
-  std::uint64_t noise_seed = 1;
-
-  ProductWriter::Written run(const World& world, const RunOptions& options, RunReport& report,
-                             StageClock& clock, Diagnostics& diagnostics) {
-    DetectorStage detectors{world.camera, products.wanted, noise_seed};
-    products.calibrations = detectors.calibrations();
-    ProductWriter writer{products, options.output};
-    const auto counters = clock.stage("render", [&] {
-      return render_strips(world.scene, world.camera, render, diagnostics,
-                           [&](std::size_t array, ArrayImage&& strip) {
-                             detectors.apply(array, strip);
-                             writer.take(strip);
-                           });
-    });
-    report.counters = counters_of(counters);
-    return clock.stage("write products", [&] { return writer.finish(); });
-  }
-};
-
-void describe(const Scenario& scenario, const RunOptions& options, RunReport& report) {
+void describe(const PreparedRun& run, const RunOptions& options, RunReport& report) {
   report.version = NADIR_VERSION;
-  report.scenario_file = scenario.file;
-  report.scenario_name = scenario.name;
-  report.scenario_title = scenario.title;
-  report.scenario_time_utc = scenario.time.to_string();
+  report.scenario_file = run.scenario.file;
+  report.scenario_name = run.scenario.name;
+  report.scenario_title = run.scenario.title;
+  report.scenario_time_utc = run.scenario.time.to_string();
   report.options = {{"seed", static_cast<std::int64_t>(options.seed)},
                     {"noise_seed", static_cast<std::int64_t>(options.noise_seed)}};
-  report.settings = settings_of(scenario, options);
+  if (options.accuracy) report.options.emplace_back("accuracy", *options.accuracy);
+  if (options.time_s) report.options.emplace_back("time_s", *options.time_s);
+  report.settings = settings_of(run, options);
+  report.air = run.air;
+  report.inputs = run.inputs;
 }
 
-/// Finds out before the work, not after it, whether its results can be kept.
-void prepare_output(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const std::filesystem::path probe = folder / ".nadir-probe";
-  const bool writable = !error && std::ofstream{probe}.good();
-  std::filesystem::remove(probe, error);
-  if (!writable) {
-    throw InputError{InputIssue{{folder.string(), 0, 0},
-                                "this folder cannot be made or written to",
-                                "name another with --output",
-                                {}}};
-  }
-}
+/// One run, step by step; each step needs those before it.
+class Run {
+ public:
+  explicit Run(const RunOptions& options)
+      : options_{options}, request_{options.scenario,
+                                    options.seed,
+                                    options.accuracy,
+                                    options.time_s,
+                                    {},
+                                    [this] { prepare_output(options_.output); }} {}
 
-/// What a file that was read is to the run.
-std::string role_of(const std::filesystem::path& file, const Scenario& scenario) {
-  const std::string ending = file.extension().string();
-  if (file == scenario.file) return "scenario";
-  if (ending == ".xml") return "material library";
-  if (ending == ".csv" || ending == ".txt") return "table";
-  if (ending == ".air") return "table of the air";
-  for (const GeometryInput& input : scenario.geometry) {
-    const auto* terrain = std::get_if<TerrainInput>(&input);
-    if (terrain != nullptr && terrain->raster == file) return "terrain";
+  RunOutcome make() {
+    const ThreadLimit limit{options_.threads};  // building the scene is threaded as well
+    report_.started_utc = clock_utc();
+    run_.emplace(prepare_run(request_, clock_, diagnostics_));
+    describe(*run_, options_, report_);
+    foretell();
+    journal_.emplace(options_.output, run_key(*run_, request_),
+                     TileJournal::Options{options_.fresh, options_.more, {}}, diagnostics_);
+    render();
+    audit();
+    return conclude();
   }
-  return "mesh";
-}
 
-std::vector<FileRecord> record_inputs(const InputFiles& inputs, const Scenario& scenario) {
-  std::vector<FileRecord> records;
-  for (const auto& file : inputs.all()) {
-    records.push_back(record_file(role_of(file, scenario), file));
+ private:
+  void tell(const std::string& line) const {
+    if (options_.tell) options_.tell(line);
   }
-  return records;
-}
+
+  /// A pilot, where the run is long enough to bear it, and what it says.
+  void foretell() {
+    Promises& promises = report_.promises;
+    promises.names = camera_names(run_->world.camera);
+    promises.effects = effect_sheets(run_->world.effects, promises.names);
+    promises.settings_reason = run_->solver_reason;
+    promises.bias = run_->bias;
+    const RenderOptions render = render_options(*run_, options_.seed);
+    const Pilot pilot = clock_.stage(
+        "pilot", [&] { return run_pilot(run_->world, render, pilot_limits(), diagnostics_); });
+    const PredictionBasis basis{*run_, clock_.stages(), options_.time_s, options_.threads};
+    promises.prediction = predict(basis, pilot);
+    cost_effects(basis, pilot, *promises.prediction, promises.effects);
+  }
+
+  /// A tenth of a second is lost on nobody; of a run that may take longer, a hundredth.
+  [[nodiscard]] PilotOptions pilot_limits() const {
+    PilotOptions limits;
+    limits.most_cpu_s = options_.time_s ? std::max(0.1, 0.01 * *options_.time_s) : 0.2;
+    return limits;
+  }
+
+  /// When the render has to end, so that products and audit are done in time.
+  [[nodiscard]] TimeGoal time_goal() const {
+    const double audit_share = options_.audit == std::optional{0} ? 0.0 : 0.03;
+    const double rest_s = report_.promises.prediction->products_s + audit_share * *options_.time_s;
+    TimeGoal goal;
+    goal.end = start_ + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(*options_.time_s - rest_s));
+    goal.stop_at_goal = options_.accuracy.has_value();
+    return goal;
+  }
+
+  /// The rounds that are to be made, given what the journal has from before: those that are missing
+  /// where a run was interrupted, one more with --more, none where it is finished.
+  [[nodiscard]] RenderRounds rounds_to_make() const {
+    const std::uint32_t done = journal_->finished();
+    if (options_.more) return {done, std::max(done + 1, journal_->begun())};
+    return {done, std::max({done, journal_->begun(), 1U})};
+  }
+
+  void tell_of_journal(const RenderRounds& rounds) const {
+    if (journal_->tiles_at_start() == 0) return;
+    tell(rounds.end == rounds.kept
+             ? std::string{"all samples were there: nothing is rendered"}
+             : fmt::format("{}: {} finished tiles were there",
+                           options_.more ? "extended" : "resumed", journal_->tiles_at_start()));
+  }
+
+  void render() {
+    RenderOptions render = render_options(*run_, options_.seed);
+    render.threads = options_.threads;
+    render.progress = options_.progress;
+    render.store = &*journal_;
+    render.rounds = rounds_to_make();
+    const bool to_sample = render.rounds.end > render.rounds.kept;
+    TimeGoal time;
+    if (options_.time_s && to_sample) {
+      time = time_goal();
+      render.time = &time;
+    }
+    tell_of_journal(render.rounds);
+    if (to_sample) journal_->begin(render.rounds.end);
+    Imaging imaging{
+        run_->scenario, run_->world, {options_.output, options_.noise_seed}, diagnostics_};
+    clock_.stage("render", [&] {
+      imaging.take([&](const StripSink& sink) {
+        tally_ = render_strips(run_->world.scene, run_->world.camera, render, diagnostics_, sink);
+      });
+    });
+    written_ = clock_.stage("write products", [&] { return imaging.finish(); });
+    journal_->finish(std::max(tally_.rounds, render.rounds.kept));
+    if (!run_->scenario.products.keep_samples) journal_->discard();
+  }
+
+  void audit() {
+    if (options_.audit == std::optional{0}) return;
+    const RunFact fact = run_fact(tally_, clock_.stages(), 0.0);
+    const std::vector<StageTime> stages = clock_.stages();
+    clock_.stage("audit", [&] {
+      report_.promises.audit =
+          audit_run({request_, *run_, stages, fact.mean_paths, options_.threads, options_.audit},
+                    diagnostics_);
+    });
+  }
+
+  RunOutcome conclude() {
+    const World& world = run_->world;
+    if (world.heat) {
+      report_.heat = clock_.stage("error of temperatures", [&] { return heat_report(world); });
+      tell_of_heat(world, diagnostics_);
+    }
+    for (const ProductFile& product : written_.files) {
+      report_.products.push_back(record_file(product.kind, product.path));
+    }
+    report_.arrays = std::move(written_.summaries);
+    report_.counters = counters_of(tally_.counters);
+    report_.stages = clock_.stages();
+    report_.warnings = diagnostics_.messages();
+    report_.peak_memory_bytes = peak_memory_bytes();
+    report_.finished_utc = clock_utc();
+    Promises& promises = report_.promises;
+    const double seconds = seconds_since(start_);
+    promises.fact = run_fact(tally_, report_.stages, seconds);
+    if (request_.has_goal()) promises.goal = goal_report(*run_, {request_, tally_, seconds});
+    const std::filesystem::path report_file = options_.output / "report.json";
+    write_report(report_file, report_);
+    std::vector<std::string> broken = broken_promises(promises);
+    return {std::move(report_), report_file, std::move(broken)};
+  }
+
+  const RunOptions& options_;
+  RunRequest request_;
+  Clock::time_point start_ = Clock::now();
+  StageClock clock_;
+  Diagnostics diagnostics_;
+  RunReport report_;
+  std::optional<PreparedRun> run_;
+  std::optional<TileJournal> journal_;
+  RenderTally tally_;
+  ProductWriter::Written written_;
+};
 
 }  // namespace
 
-RunOutcome run_scenario(const RunOptions& options) {
-  const ThreadLimit limit{options.threads};  // building the scene is threaded as well
-  StageClock clock;
-  Diagnostics diagnostics;
-  InputFiles inputs;
-  RunReport report;
-  report.started_utc = clock_utc();
-
-  const Scenario scenario =
-      clock.stage("read scenario", [&] { return read_scenario(options.scenario, diagnostics); });
-  describe(scenario, options, report);
-  World world = clock.stage(
-      "build scene", [&] { return load_world(scenario, inputs, diagnostics, options.seed); });
-  check_spectra(world, scenario.sampling, diagnostics);
-  check_memory(world.camera);
-  check_view(world, diagnostics);
-  prepare_output(options.output);
-  report.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, scenario); });
-  if (world.heat) clock.stage("heat", [&] { solve_heat_ahead(world, options.seed); });
-  std::optional<RayBending> bending;
-  if (world.air) {
-    clock.stage("air", [&] {
-      report.air = finish_air(world, scenario.sampling, diagnostics);
-      bending = camera_bending(world, report.air);
-    });
-  }
-  const CameraPlan plan = plan_camera(world, scenario.sampling);
-  const ProductGeometry geometry = geometry_of(scenario, world);
-  Imaging imaging{render_options(scenario, options, world), context_of(scenario, diagnostics),
-                  options.noise_seed};
-  imaging.render.plan = &plan;
-  imaging.render.bending = bending ? &*bending : nullptr;
-  imaging.products.geometry = &geometry;
-  ProductWriter::Written written = imaging.run(world, options, report, clock, diagnostics);
-  if (world.heat) {
-    report.heat = clock.stage("error of temperatures", [&] { return heat_report(world); });
-    tell_of_heat(world, diagnostics);
-  }
-  for (const ProductFile& product : written.files) {
-    report.products.push_back(record_file(product.kind, product.path));
-  }
-  report.arrays = std::move(written.summaries);
-  report.stages = clock.stages();
-  report.warnings = diagnostics.messages();
-  report.peak_memory_bytes = peak_memory_bytes();
-  report.finished_utc = clock_utc();
-  const std::filesystem::path report_file = options.output / "report.json";
-  write_report(report_file, report);
-  return {std::move(report), report_file};
-}
+RunOutcome run_scenario(const RunOptions& options) { return Run{options}.make(); }
 
 Validation validate_scenario(const std::filesystem::path& file) {
   Diagnostics diagnostics;

@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "sim/run/air_stage_check.hpp"
+#include "sim/run/drop_effects.hpp"
 #include "sim/run/epochs.hpp"
 #include "sim/run/error_list.hpp"
+#include "sim/run/gather_facts.hpp"
 #include "sim/run/load_air.hpp"
 #include "sim/run/load_camera.hpp"
 #include "sim/run/load_geometry.hpp"
@@ -21,15 +23,31 @@
 namespace nadir::sim {
 namespace {
 
+using radiometry::Effect;
+
 /// Which arrays need temperatures, whatever they cost.
 std::vector<bool> arrays_asking(const Scenario& scenario, const Camera& camera,
-                                const ephemeris::Illumination& bodies) {
+                                const ephemeris::Illumination& bodies, const EffectPlan& plan) {
   std::vector<bool> asking;
   const Kelvin warmest = warmest_solved(scenario);
-  for (const sensor::DetectorArray& array : camera.arrays) {
-    asking.push_back(scenario.products.truth_temperature || sees_heat(array, bodies, warmest));
+  const bool stated = scenario.effects.of(Effect::thermal_solve) == EffectState::on;
+  for (std::size_t i = 0; i < camera.arrays.size(); ++i) {
+    const bool solves = plan.by_array[i].has(Effect::thermal_solve);
+    const bool seen = stated || (plan.by_array[i].has(Effect::surface_emission) &&
+                                 sees_heat(camera.arrays[i], bodies, warmest));
+    asking.push_back(scenario.products.truth_temperature || (solves && seen));
   }
   return asking;
+}
+
+/// Light of sun and moon comes through the air, whatever else of it is left out.
+bool wants_air(radiometry::EffectSet effects) {
+  for (const Effect effect : {Effect::solar_reflection, Effect::lunar_reflection,
+                              Effect::sky_scattering, Effect::sky_emission, Effect::path_scattering,
+                              Effect::path_emission, Effect::path_transmittance}) {
+    if (effects.has(effect)) return true;
+  }
+  return false;
 }
 
 /// Objects in the order of the file, then the area lamps, of which a list may place many: as
@@ -82,80 +100,157 @@ void check_extent(const geometry::Scene& scene, Diagnostics& diagnostics) {
 
 }  // namespace
 
+namespace {
+
+/// What is read before effects are decided.
+struct Foundations {
+  std::vector<materials::Material> materials;
+  std::vector<materials::MaterialMap> maps;
+  atmosphere::Atmosphere air;
+  std::optional<AirTask> air_task;
+  std::optional<Epochs> epochs;
+  std::optional<LoadedGeometry> geometry;
+  Camera camera;
+};
+
+/// Reads one thing after the other; each may find mistakes, which are told together.
+class WorldLoader {
+ public:
+  WorldLoader(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics)
+      : scenario_{scenario},
+        kept_{scenario},
+        frame_{scenario.origin},
+        files_{files},
+        diagnostics_{diagnostics} {}
+
+  World load(std::uint64_t seed) {
+    // What the scenario forbids is not even looked at.
+    radiometry::EffectSet allowed = radiometry::EffectSet::all();
+    for (std::size_t i = 0; i < radiometry::effect_count; ++i) {
+      const auto effect = static_cast<radiometry::Effect>(i);
+      if (scenario_.effects.of(effect) == EffectState::off) allowed = allowed.without(effect);
+    }
+    drop_effects(kept_, allowed);
+    lay_foundations();
+    decide_effects();
+    load_light_and_volumes();
+    load_temperature(seed);
+    return assemble();
+  }
+
+ private:
+  void lay_foundations() {
+    Foundations& f = base_;
+    const bool have_materials =
+        errors_.attempt([&] { f.materials = load_materials(kept_, frame_, files_, diagnostics_); });
+    // Contrast maps compare the spectra of materials: without those each would be a mistake more.
+    errors_.attempt([&] {
+      if (have_materials) f.maps = load_maps(kept_, f.materials, frame_, files_, diagnostics_);
+    });
+    errors_.attempt([&] {
+      f.air = load_atmosphere(kept_, files_);
+      f.air_task = load_air_task(kept_, files_, diagnostics_);
+    });
+    errors_.attempt([&] { f.epochs.emplace(kept_); });
+    errors_.attempt([&] {
+      if (f.epochs) f.geometry = load_geometry(kept_, frame_, *f.epochs, files_);
+    });
+    if (f.geometry) {
+      errors_.attempt([&] { f.camera = load_camera(kept_, frame_, f.geometry->terrain, files_); });
+      errors_.attempt([&] { check_extent(f.geometry->scene, diagnostics_); });
+    }
+    if (errors_.any()) load_light_and_volumes();  // for their mistakes; throws
+  }
+
+  void decide_effects() {
+    const Foundations& f = base_;
+    facts_ = gather_facts(kept_, {f.materials, *f.geometry, f.camera, f.air, f.air_task});
+    plan_ = plan_effects(scenario_.effects, scenario_.accuracy, facts_);
+    drop_effects(kept_, plan_.any);
+    if (!wants_air(plan_.any)) {
+      base_.air = atmosphere::None{};
+      base_.air_task.reset();
+    }
+    if (!plan_.any.has(Effect::lamps)) base_.geometry->lamps.clear();
+    if (!plan_.any.has(Effect::motion_blur) || !plan_.any.has(Effect::psf)) {
+      base_.camera = load_camera(kept_, frame_, base_.geometry->terrain, files_);
+    }
+  }
+
+  void load_light_and_volumes() {
+    const std::optional<LoadedGeometry>& geometry = base_.geometry;
+    errors_.attempt([&] { illumination_ = load_illumination(kept_, files_, diagnostics_); });
+    errors_.attempt([&] {
+      if (geometry) volumes_ = load_volumes(kept_, geometry->terrain, files_);
+    });
+    errors_.attempt([&] {
+      if (geometry) check_lamps(geometry->scene, kept_, geometry->lamps, diagnostics_);
+    });
+    errors_.attempt([&] {
+      if (geometry && base_.air_task) {
+        fit_air(kept_, *geometry, base_.air, illumination_, base_.camera, *base_.air_task,
+                diagnostics_);
+      }
+    });
+    errors_.throw_if_any();
+  }
+
+  void load_temperature(std::uint64_t seed) {
+    const Foundations& f = base_;
+    errors_.attempt([&] {
+      asking_ = arrays_asking(kept_, f.camera, illumination_, plan_);
+      const bool asked = std::find(asking_.begin(), asking_.end(), true) != asking_.end();
+      temperatures_ = load_temperatures(
+          kept_,
+          {f.geometry->scene, f.materials, f.maps, *f.epochs, frame_, f.geometry->hottest_vertex_k},
+          asked, seed, files_, diagnostics_);
+    });
+    errors_.throw_if_any();
+  }
+
+  World assemble() {
+    Foundations& f = base_;
+    warn_of_bright_night(kept_, illumination_, f.air, diagnostics_);
+    std::vector<std::string> names = object_names(kept_, f.geometry->lamps);
+    World world{
+        scenario_.file,
+        {f.geometry->scene, std::move(f.materials), std::move(temperatures_->field),
+         std::move(illumination_), std::move(f.air), kept_.solver, std::move(f.maps),
+         std::move(volumes_), std::move(f.geometry->lamps), kept_.method, kept_.path_max_bounces},
+        std::move(f.camera),
+        std::move(f.air_task),
+        std::move(temperatures_->solver),
+        std::move(asking_),
+        frame_,
+        std::move(names),
+        std::move(facts_),
+        std::move(plan_)};
+    check_cover(kept_, world.scene, diagnostics_);
+    return world;
+  }
+
+  const Scenario& scenario_;
+  Scenario kept_;  // without what is dropped
+  geometry::LocalFrame frame_;
+  InputFiles& files_;
+  Diagnostics& diagnostics_;
+  ErrorList errors_;
+  Foundations base_;
+  SceneFacts facts_;
+  EffectPlan plan_;
+  ephemeris::Illumination illumination_;
+  std::vector<radiometry::Volume> volumes_;
+  std::optional<LoadedTemperatures> temperatures_;
+  std::vector<bool> asking_;
+};
+
+}  // namespace
+
 World load_world(const Scenario& scenario, InputFiles& files, Diagnostics& diagnostics,
                  std::uint64_t seed) {
   files.note(scenario.file);
   for (const auto& library : scenario.libraries) files.note(library);
-  const geometry::LocalFrame frame{scenario.origin};
-  std::vector<materials::Material> materials;
-  std::optional<LoadedGeometry> geometry;
-  ephemeris::Illumination illumination;
-  atmosphere::Atmosphere air;
-  std::optional<AirTask> air_task;
-  std::vector<materials::MaterialMap> maps;
-  std::vector<radiometry::Volume> volumes;
-  Camera camera;
-  std::optional<Epochs> epochs;
-  std::optional<LoadedTemperatures> temperatures;
-  std::vector<bool> asking;
-
-  ErrorList errors;
-  const bool have_materials =
-      errors.attempt([&] { materials = load_materials(scenario, frame, files, diagnostics); });
-  // Contrast maps compare the spectra of materials: without those each would be a mistake more.
-  errors.attempt([&] {
-    if (have_materials) maps = load_maps(scenario, materials, frame, files, diagnostics);
-  });
-  errors.attempt([&] { illumination = load_illumination(scenario, files, diagnostics); });
-  errors.attempt([&] {
-    air = load_atmosphere(scenario, files);
-    air_task = load_air_task(scenario, files, diagnostics);
-  });
-  errors.attempt([&] { epochs.emplace(scenario); });
-  errors.attempt([&] {
-    if (epochs) geometry = load_geometry(scenario, frame, *epochs, files);
-  });
-  if (geometry) {
-    errors.attempt([&] { camera = load_camera(scenario, frame, geometry->terrain, files); });
-  }
-  errors.attempt([&] {
-    if (geometry) check_extent(geometry->scene, diagnostics);
-  });
-  errors.attempt([&] {
-    if (geometry) volumes = load_volumes(scenario, geometry->terrain, files);
-  });
-  errors.attempt([&] {
-    if (geometry) check_lamps(geometry->scene, scenario, geometry->lamps, diagnostics);
-  });
-  errors.attempt([&] {
-    if (geometry && air_task) {
-      fit_air(scenario, *geometry, air, illumination, camera, *air_task, diagnostics);
-    }
-  });
-  errors.throw_if_any();
-  errors.attempt([&] {
-    asking = arrays_asking(scenario, camera, illumination);
-    const bool asked = std::find(asking.begin(), asking.end(), true) != asking.end();
-    temperatures = load_temperatures(
-        scenario, {geometry->scene, materials, maps, *epochs, frame, geometry->hottest_vertex_k},
-        asked, seed, files, diagnostics);
-  });
-  errors.throw_if_any();
-  warn_of_bright_night(scenario, illumination, air, diagnostics);
-  std::vector<std::string> names = object_names(scenario, geometry->lamps);
-  World world{
-      scenario.file,
-      {geometry->scene, std::move(materials), std::move(temperatures->field),
-       std::move(illumination), std::move(air), scenario.solver, std::move(maps),
-       std::move(volumes), std::move(geometry->lamps), scenario.method, scenario.path_max_bounces},
-      std::move(camera),
-      std::move(air_task),
-      std::move(temperatures->solver),
-      std::move(asking),
-      frame,
-      std::move(names)};
-  check_cover(scenario, world.scene, diagnostics);
-  return world;
+  return WorldLoader{scenario, files, diagnostics}.load(seed);
 }
 
 void check_memory(const Camera& camera, const AirDemand& air) {

@@ -11,6 +11,7 @@
 #include "core/diagnostics.hpp"
 #include "radiometry/lit_scene.hpp"
 #include "sim/plan/camera_plan.hpp"
+#include "sim/plan/effect_plan.hpp"
 #include "sim/run/input_files.hpp"
 #include "sim/run/load_air.hpp"
 #include "sim/run/render.hpp"
@@ -29,6 +30,8 @@ struct World {
   std::vector<bool> asks_for_heat{};  ///< by array: whether it needs the temperatures of surfaces
   geometry::LocalFrame frame{geometry::Geodetic{}};  ///< of the scene's axes
   std::vector<std::string> object_names{};           ///< by the number that hits carry
+  SceneFacts facts{};                                ///< what effects were decided from
+  EffectPlan effects{};                              ///< what is simulated
 };
 
 /// @param seed  of the rays by which the heat balance looks about

@@ -109,6 +109,7 @@ void build_volumes(const BuildContext& context, const CheckedElement& element, b
                    Scenario& scenario);
 void build_platform(const BuildContext& context, const CheckedElement& element, Scenario& scenario);
 void build_camera(const BuildContext& context, const CheckedElement& element, Scenario& scenario);
+void build_effects(const BuildContext& context, const CheckedElement& root, Scenario& scenario);
 void build_results(const BuildContext& context, const CheckedElement& root, Scenario& scenario);
 
 }  // namespace nadir::sim

@@ -21,8 +21,10 @@ void build_time(const BuildContext& context, const CheckedElement& root, Scenari
 
 IlluminationInput build_illumination(const BuildContext& context, const CheckedElement& element) {
   if (const CheckedElement* computed = element.child("ephemeris")) {
-    return ComputedSky{computed->find<SpectralInput>("solar_irradiance"),
-                       computed->find<SpectralInput>("lunar_irradiance")};
+    ComputedSky sky;
+    sky.solar_irradiance = computed->find<SpectralInput>("solar_irradiance");
+    sky.lunar_irradiance = computed->find<SpectralInput>("lunar_irradiance");
+    return sky;
   }
   FixedSky sky;
   const CheckedElement* fixed = element.child("fixed");

@@ -38,6 +38,11 @@ void check_quick_look(const BuildContext& context, const CheckedElement& product
   }
 }
 
+/// Of the words that the schema allows.
+BandNodes band_nodes(const std::string& word) {
+  return word == "auto" ? BandNodes{0} : BandNodes{std::stoi(word)};
+}
+
 ProductsInput products_of(const CheckedElement& element) {
   ProductsInput products;
   products.envi = element.flag("envi");
@@ -53,6 +58,7 @@ ProductsInput products_of(const CheckedElement& element) {
   products.statistics = element.flag("statistics");
   products.sky_view = element.flag("sky_view");
   products.fractions = element.flag("fractions");
+  products.keep_samples = element.flag("keep_samples");
   return products;
 }
 
@@ -94,7 +100,7 @@ void build_results(const BuildContext& context, const CheckedElement& root, Scen
   if (const CheckedElement* sampling = root.child("sampling")) {
     scenario.sampling = {sampling->value<int>("replicates"),
                          sampling->value<int>("samples_per_replicate"),
-                         sampling->value<int>("wavelengths_per_band")};
+                         band_nodes(sampling->value<std::string>("wavelengths_per_band"))};
   }
   if (const CheckedElement* products = root.child("products")) {
     scenario.products = products_of(*products);

@@ -35,6 +35,7 @@ void build_parts(const BuildContext& context, const CheckedElement& root, Scenar
   }
   if (const auto* platform = root.child("platform")) build_platform(context, *platform, scenario);
   if (const auto* camera = root.child("camera")) build_camera(context, *camera, scenario);
+  build_effects(context, root, scenario);
   build_results(context, root, scenario);
 }
 

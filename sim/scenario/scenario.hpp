@@ -16,6 +16,7 @@
 #include "radiometry/method.hpp"
 #include "sim/scenario/air_input.hpp"
 #include "sim/scenario/camera_input.hpp"
+#include "sim/scenario/effects_input.hpp"
 #include "sim/scenario/heat_input.hpp"
 #include "sim/scenario/lamp_input.hpp"
 #include "sim/scenario/material_input.hpp"
@@ -36,6 +37,8 @@ namespace nadir::sim {
 struct ComputedSky {
   std::optional<SpectralInput> solar_irradiance;  ///< W m^-2 um^-1 at 1 AU; none: the library's
   std::optional<SpectralInput> lunar_irradiance;  ///< W m^-2 um^-1 as it arrives; none: modelled
+  // What no effect needs is not read (drop_effects); the bodies' places are always known.
+  bool sun_shines = true, moon_shines = true, eclipses = true;
 };
 /// A body at given angles.
 struct FixedBody {
@@ -117,6 +120,8 @@ struct Scenario {
   std::vector<LampInput> lamps;
   PlatformInput platform;
   CameraInput camera;
+  EffectsInput effects;
+  AccuracyInput accuracy;
   SamplingInput sampling;
   ProductsInput products;
 };

@@ -13,11 +13,11 @@ Schema::Schema(std::vector<ElementType> types) : types_{std::move(types)} {
 const Schema& schema() {
   static const Schema table = [] {
     std::vector<ElementType> all;
-    for (auto&& part :
-         {schema_of_root(), schema_of_light(), schema_of_air(), schema_of_heat(),
-          schema_of_solver(), schema_of_materials(), schema_of_scattering(),
-          schema_of_temperature(), schema_of_maps(), schema_of_geometry(), schema_of_volumes(),
-          schema_of_lamps(), schema_of_platform(), schema_of_camera(), schema_of_results()}) {
+    for (auto&& part : {schema_of_root(), schema_of_light(), schema_of_air(), schema_of_heat(),
+                        schema_of_solver(), schema_of_materials(), schema_of_scattering(),
+                        schema_of_temperature(), schema_of_maps(), schema_of_geometry(),
+                        schema_of_volumes(), schema_of_lamps(), schema_of_platform(),
+                        schema_of_camera(), schema_of_effects(), schema_of_results()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return Schema{std::move(all)};
@@ -45,6 +45,8 @@ std::vector<ElementType> schema_of_root() {
                     {"lamps"},
                     {"platform", true},
                     {"camera", true},
+                    {"effects"},
+                    {"accuracy"},
                     {"sampling"},
                     {"products"}}},
       {.id = "time",

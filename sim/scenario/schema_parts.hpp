@@ -73,6 +73,7 @@ inline NumberType full_turn() { return from_to(-360.0, 360.0); }
 [[nodiscard]] std::vector<ElementType> schema_of_camera();
 /// What stands in a camera's arrays.
 [[nodiscard]] std::vector<ElementType> schema_of_camera_parts();
+[[nodiscard]] std::vector<ElementType> schema_of_effects();
 [[nodiscard]] std::vector<ElementType> schema_of_results();
 
 }  // namespace nadir::sim

@@ -3,6 +3,13 @@
 namespace nadir::sim {
 namespace {
 
+/// auto, or as many wavelengths as spectral::gauss_quadrature can place.
+EnumerationType counts_or_auto() {
+  EnumerationType type{{"auto"}};
+  for (int count = 1; count <= 32; ++count) type.values.push_back(std::to_string(count));
+  return type;
+}
+
 std::vector<ElementType> results() {
   return {
       {.id = "sampling",
@@ -12,9 +19,10 @@ std::vector<ElementType> results() {
                                 "Independent repetitions that the standard error is made from."),
                       defaulted("samples_per_replicate", IntegerType{1, 1000000}, "", "2",
                                 "Rays from the pixel in each repetition."),
-                      // as many as spectral::gauss_quadrature can place
-                      defaulted("wavelengths_per_band", IntegerType{1, 32}, "", "4",
-                                "Wavelengths at which each band is computed.")}},
+                      defaulted("wavelengths_per_band", counts_or_auto(), "", "4",
+                                "Wavelengths at which each band is computed; auto: for each band "
+                                "the fewest that integrate the scene's spectra and air to the "
+                                "accuracy asked for.")}},
       {.id = "products",
        .name = "products",
        .doc = "Which files are written.",
@@ -47,6 +55,9 @@ std::vector<ElementType> results() {
             defaulted("statistics", boolean(), "", "false",
                       "Paths a pixel, and what the air and the surface's own heat have of every "
                       "band's radiance."),
+            defaulted("keep_samples", boolean(), "", "true",
+                      "Keeps the run's samples (samples.nadir) when it is finished, so that more "
+                      "can be added and runs merged; until then they are always kept."),
             optional("quick_look_bands", NamesType{3}, "", "chosen from the bands' wavelengths",
                      "One band for shades of grey, or three of one array for red, green and "
                      "blue.")}},

@@ -13,12 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every product by name, but for the report, which holds the clock's readings.
+/// Every product by name, but for the report, which holds the clock's readings, and the samples,
+/// which lie in the order in which threads made them.
 std::map<std::string, std::string> products(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::directory_iterator{folder}) {
     const std::string name = entry.path().filename().string();
-    if (name != "report.json") all[name] = sim::support::content_of(entry.path());
+    if (name == "report.json" || name == "samples.nadir") continue;
+    all[name] = sim::support::content_of(entry.path());
   }
   return all;
 }

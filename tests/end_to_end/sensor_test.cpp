@@ -150,7 +150,7 @@ TEST_CASE("a moving camera's image of several strips does not depend on threads"
   int compared = 0;
   for (const auto& entry : fs::directory_iterator{one}) {
     const fs::path name = entry.path().filename();
-    if (name == "report.json") continue;
+    if (name == "report.json" || name == "samples.nadir") continue;  // clock, order of work
     CAPTURE(name.string());
     const bool same =
         sim::support::content_of(entry.path()) == sim::support::content_of(three / name);

@@ -91,7 +91,8 @@ template <class Flux>
     next = std::clamp(next, least, greatest);
     const double move = std::abs(next - t);
     t = next;
-    const double ahead = astray ? move : std::min(move, move * (move / last_move));
+    const bool shortens = !astray && move < last_move;
+    const double ahead = shortens ? move * (move / last_move) : move;
     if (ahead <= resolution * t) break;
     last_move = astray ? 0.0 : move;
     last_excess = size;
