@@ -48,6 +48,15 @@ if(NADIR_SANITIZE)
     -fno-omit-frame-pointer)
   target_link_options(nadir_compiler INTERFACE -fsanitize=address,undefined)
 endif()
+if(NADIR_SANITIZE_THREAD)
+  # cmake/tsan/README.md says why oneTBB has stand-ins; Embree builds its scenes on one thread.
+  target_include_directories(nadir_compiler BEFORE INTERFACE
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cmake/tsan>")
+  target_compile_definitions(nadir_compiler INTERFACE NADIR_ONE_THREAD_OF_EMBREE)
+  target_compile_options(nadir_compiler INTERFACE
+    $<${light}:-O0> -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(nadir_compiler INTERFACE -fsanitize=thread)
+endif()
 
 # Sources of a target eight at a time as one: headers and templates, most of the time of a build, are
 # then read once for eight. For builds from scratch; the plain build shows that every source

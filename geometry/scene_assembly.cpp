@@ -17,6 +17,13 @@ using embree::SceneHandle;
 // Rays in a prototype's axes carry the rounding of the scene's coordinates and of the transform.
 constexpr double padding_steps = 16.0;
 
+#ifdef NADIR_ONE_THREAD_OF_EMBREE  // the thread sanitizer cannot see what keeps its threads in
+                                   // order
+constexpr const char* device_settings = "threads=1,set_affinity=0";
+#else
+constexpr const char* device_settings = "threads=0,set_affinity=0";
+#endif
+
 void check(RTCDevice device, const char* what) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
@@ -224,7 +231,7 @@ void set_bounds(Scene::Data& data, const SceneBuilder::State& state) {
 Scene assemble(const SceneBuilder::State& state) {
   auto data = std::make_shared<Scene::Data>();
   // Threads are TBB's affair. Without flush-to-zero: double arithmetic must not depend on callers.
-  data->device = embree::Device{rtcNewDevice("threads=0,set_affinity=0")};
+  data->device = embree::Device{rtcNewDevice(device_settings)};
   if (!data->device) check(nullptr, "new device");
   check_masks(data->device.get(), state);
   data->top = new_scene(data->device.get());

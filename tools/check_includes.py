@@ -45,7 +45,7 @@ LIBRARIES = {
     "ephemeris": r"erfam?\.h$|GeographicLib/",
     "sensor": r"erfam?\.h$|GeographicLib/|fmt/|math\.h$",
     "sim": r"(tbb|oneapi)/|tinyxml2\.h$|Imf|Imath|Iex|OpenEXR/|fmt/|nlohmann/|openssl/"
-           r"|dlfcn\.h$|unistd\.h$|fcntl\.h$|sys/",
+           r"|zlib\.h$|dlfcn\.h$|unistd\.h$|fcntl\.h$|sys/",
     "sim/cli": r"CLI/|fmt/|nlohmann/|unistd\.h$|sys/",
     "sim/modules/rasters": r"(gdal|ogr|cpl)\w*\.h$|sys/|unistd\.h$",
     "sim/modules/images": r"OpenImageIO/|sys/|unistd\.h$",

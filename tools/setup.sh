@@ -22,6 +22,7 @@ packages=(
 )
 check_packages=(
   clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 python3 python3-numpy libxml2-utils gdal-bin libbenchmark-dev
+  chromium            # opens the pages of studies
 )
 
 list_only=no

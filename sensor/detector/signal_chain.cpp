@@ -85,6 +85,13 @@ void check_lengths(std::size_t samples, const SignalChain::Line& out) {
   throw std::invalid_argument{"a line's radiance and its numbers differ in length"};
 }
 
+/// What a float cannot hold is the largest one: light beyond all wells must not become infinite.
+float in_float(double value) {
+  constexpr float most = std::numeric_limits<float>::max();
+  if (std::isnan(value)) return std::numeric_limits<float>::quiet_NaN();
+  return value < static_cast<double>(most) ? static_cast<float>(value) : most;
+}
+
 }  // namespace
 
 SignalChain::Photons SignalChain::folded(const DetectorArray& array, std::size_t band,
@@ -234,8 +241,8 @@ void SignalChain::expose(std::span<const float> radiance, const Line& out) {
         found = pixel(element, value, i);
       }
       out.dn[i] = static_cast<std::uint16_t>(found.dn);
-      if (!out.electrons.empty()) out.electrons[i] = static_cast<float>(found.electrons);
-      if (!out.noise.empty()) out.noise[i] = static_cast<float>(found.noise);
+      if (!out.electrons.empty()) out.electrons[i] = in_float(found.electrons);
+      if (!out.noise.empty()) out.noise[i] = in_float(found.noise);
     }
   };
   std::visit(each, element_);

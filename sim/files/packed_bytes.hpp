@@ -8,8 +8,9 @@
 
 namespace nadir::sim {
 
-/// The bytes deflated (RFC 1950) at the fastest level; nothing where that would not make them
+/// The bytes deflated (RFC 1950), fast rather than small; nothing where that would not make them
 /// shorter.
+/// @param bytes  less than 4 GB
 [[nodiscard]] std::optional<std::string> pack_bytes(std::string_view bytes);
 
 /// Back again. @param length  of the result

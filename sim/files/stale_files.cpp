@@ -1,8 +1,9 @@
 #include "sim/files/stale_files.hpp"
 
-#include <signal.h>
+#include <sys/types.h>
 
 #include <cerrno>
+#include <csignal>
 #include <regex>
 #include <string>
 #include <system_error>

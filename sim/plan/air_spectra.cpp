@@ -20,11 +20,11 @@ constexpr double most_air_masses = 6.0;  // as far as terms of absorption are fi
 // Diffuse transmittance is that of a slant path with this secant (Elsasser 1942).
 constexpr double diffusivity = 1.66;
 
-AirFunction at_nodes(SpectralFunction at) { return {std::move(at), false}; }
+AirFunction known_at(SpectralFunction at) { return {std::move(at), false}; }
 AirFunction over_intervals(SpectralFunction at) { return {std::move(at), true}; }
 
-AirFunction black_body(Kelvin temperature) {
-  return at_nodes([temperature](double lambda_um) {
+AirFunction black_body_at(Kelvin temperature) {
+  return known_at([temperature](double lambda_um) {
     return spectral::planck(Micrometres{lambda_um}, temperature).value;
   });
 }
@@ -48,32 +48,32 @@ double height_of(const ephemeris::LightSource& body) {
 
 // ---- no air, uniform air ----------------------------------------------------------------------
 
-AirSpectra spectra_of(const atmosphere::None& /*air*/, const ephemeris::Illumination& bodies,
-                      const AirView& /*view*/, std::vector<double>& knots_um) {
+AirSpectra spectra_of_air(const atmosphere::None& /*air*/, const ephemeris::Illumination& bodies,
+                          const AirView& /*view*/, std::vector<double>& knots_um) {
   AirSpectra made;
   for (const auto& body : bodies) {
-    made.bodies.push_back({{at_nodes(function_of(body.irradiance, knots_um))},
+    made.bodies.push_back({{known_at(function_of(body.irradiance, knots_um))},
                            height_of(body) * std::numbers::inv_pi});
   }
   return made;
 }
 
-AirSpectra spectra_of(const atmosphere::Uniform& air, const ephemeris::Illumination& bodies,
-                      const AirView& /*view*/, std::vector<double>& knots_um) {
+AirSpectra spectra_of_air(const atmosphere::Uniform& air, const ephemeris::Illumination& bodies,
+                          const AirView& /*view*/, std::vector<double>& knots_um) {
   AirSpectra made;
   const SpectralFunction passes = function_of(air.transmittance, knots_um);
-  made.view = {at_nodes(passes)};
+  made.view = {known_at(passes)};
   for (const auto& body : bodies) {
     made.bodies.push_back(
-        {{at_nodes(function_of(body.irradiance, knots_um)),
-          at_nodes(function_of(air.solar_transmittance, knots_um)), at_nodes(passes)},
+        {{known_at(function_of(body.irradiance, knots_um)),
+          known_at(function_of(air.solar_transmittance, knots_um)), known_at(passes)},
          height_of(body) * std::numbers::inv_pi});
   }
   made.sky_scattering = {
-      {{at_nodes(function_of(air.sky_radiance, knots_um)), at_nodes(passes)}, 1.0}};
-  made.sky_emission = {{{black_body(air.sky_temperature), at_nodes(passes)}, 1.0}};
-  made.path_scattering = {{{at_nodes(function_of(air.path_radiance, knots_um))}, 1.0}};
-  made.path_emission = {{{black_body(air.air_temperature), at_nodes(one_minus(passes))}, 1.0}};
+      {{known_at(function_of(air.sky_radiance, knots_um)), known_at(passes)}, 1.0}};
+  made.sky_emission = {{{black_body_at(air.sky_temperature), known_at(passes)}, 1.0}};
+  made.path_scattering = {{{known_at(function_of(air.path_radiance, knots_um))}, 1.0}};
+  made.path_emission = {{{black_body_at(air.air_temperature), known_at(one_minus(passes))}, 1.0}};
   return made;
 }
 
@@ -119,30 +119,35 @@ void add_table_path(const AirTable& table, const TableRows& rows, const Spectral
   if (table.views.empty()) return;
   const AirTable::View& seen = table.views.front();
   const std::size_t places = seen.places();
-  const AirFunction lost = at_nodes(one_minus(passes));
-  made.path_emission.push_back({{at_nodes(rows.at(seen.even, places - 1)), lost}, 1.0});
+  const AirFunction lost = known_at(one_minus(passes));
+  made.path_emission.push_back({{known_at(rows.at(seen.even, places - 1)), lost}, 1.0});
   for (std::size_t row = 0; row < table.bodies.size() * static_cast<std::size_t>(table.kinds);
        ++row) {
     made.path_scattering.push_back(
-        {{at_nodes(rows.at(seen.first, (row + 1) * places - 1)), lost},
+        {{known_at(rows.at(seen.first, (row + 1) * places - 1)), lost},
          0.25 * std::numbers::inv_pi});  // a phase function alike in all directions
   }
 }
 
-AirSpectra spectra_of(const atmosphere::Tabulated& air, const ephemeris::Illumination& /*bodies*/,
-                      const AirView& view, std::vector<double>& knots_um) {
+AirSpectra spectra_of_air(const atmosphere::Tabulated& air, const ephemeris::Illumination& bodies,
+                          const AirView& view, std::vector<double>& knots_um) {
   const AirTable& table = *air.table;
   const TableRows rows{&table, &knots_um};
   const SpectralFunction passes = table_view(table, view, rows);
   AirSpectra made;
-  made.view = {at_nodes(passes)};
-  for (const AirTable::Body& body : table.bodies) {
-    made.bodies.push_back(
-        {{at_nodes(rows.at(body.ground_irradiance, 0)), at_nodes(passes)}, std::numbers::inv_pi});
+  made.view = {known_at(passes)};
+  for (const auto& body : bodies) {  // one each, in their order: a table may have another
+    const auto known = std::find_if(table.bodies.begin(), table.bodies.end(),
+                                    [&](const auto& one) { return one.name == body.name; });
+    AirLight& light = made.bodies.emplace_back();
+    light.scale = 0.0;
+    if (known == table.bodies.end()) continue;
+    light = {{known_at(rows.at(known->ground_irradiance, 0)), known_at(passes)},
+             std::numbers::inv_pi};
   }
   if (!table.even_ground_irradiance.empty()) {
     made.sky_emission.push_back(
-        {{at_nodes(rows.at(table.even_ground_irradiance, 0)), at_nodes(passes)},
+        {{known_at(rows.at(table.even_ground_irradiance, 0)), known_at(passes)},
          std::numbers::inv_pi});
   }
   add_table_path(table, rows, passes, made);
@@ -210,7 +215,7 @@ class LayerPaths {
     };
   }
   [[nodiscard]] AirFunction molecules_pass(const std::vector<double>& slant) const {
-    return at_nodes([depth = rayleigh(slant)](double x) { return std::exp(-depth(x)); });
+    return known_at([depth = rayleigh(slant)](double x) { return std::exp(-depth(x)); });
   }
 
  private:
@@ -220,7 +225,7 @@ class LayerPaths {
   std::vector<double>* knots_um_;
 };
 
-std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
+std::vector<double> added(std::vector<double> a, const std::vector<double>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
   return a;
 }
@@ -230,19 +235,19 @@ void add_body(const ephemeris::LightSource& body, const LayerPaths& paths,
               const std::vector<double>& up, std::vector<double>& knots_um, AirSpectra& made) {
   const double cos_zenith = height_of(body);
   const auto down = paths.path(1.0 / std::max(cos_zenith, 1.0 / most_air_masses), 1e9);
-  const auto both = sum(down, up);
+  const auto both = added(down, up);
   const AirFunction outside = over_intervals(function_of(body.irradiance, knots_um));
   const AirFunction gases = over_intervals(paths.gases(both));
   made.bodies.push_back(
       {{outside, gases, paths.molecules_pass(both)}, cos_zenith * std::numbers::inv_pi});
   // Half of what molecules and thin haze scatter goes down; haze is about as much as blue light's
   // molecules, at all wavelengths.
-  const AirFunction scattered = at_nodes([depth = paths.rayleigh(paths.path(1.0, 1e9))](double x) {
+  const AirFunction scattered = known_at([depth = paths.rayleigh(paths.path(1.0, 1e9))](double x) {
     return 1.0 - std::exp(-depth(x) - 0.05);
   });
   made.sky_scattering.push_back({{outside, gases, scattered}, 0.5 * std::numbers::inv_pi});
   const AirFunction on_the_way =
-      at_nodes([depth = paths.rayleigh(up)](double x) { return 1.0 - std::exp(-depth(x)); });
+      known_at([depth = paths.rayleigh(up)](double x) { return 1.0 - std::exp(-depth(x)); });
   made.path_scattering.push_back({{outside, gases, on_the_way}, 0.25 * std::numbers::inv_pi});
 }
 
@@ -258,7 +263,8 @@ void add_night(const atmosphere::NightSky& night, const AirFunction& view,
 
 AirSpectra air_spectra(const atmosphere::Atmosphere& air, const ephemeris::Illumination& bodies,
                        const AirView& view, std::vector<double>& knots_um) {
-  return std::visit([&](const auto& one) { return spectra_of(one, bodies, view, knots_um); }, air);
+  return std::visit([&](const auto& one) { return spectra_of_air(one, bodies, view, knots_um); },
+                    air);
 }
 
 AirSpectra air_spectra(const atmosphere::Layered& air, const ephemeris::Illumination& bodies,
@@ -275,8 +281,8 @@ AirSpectra air_spectra(const atmosphere::Layered& air, const ephemeris::Illumina
   const Kelvin at_ground{level_at(air.profile, air.ground_height_m).temperature_k};
   const SpectralFunction sky = paths.gases(paths.path(diffusivity, 1e9));
   const auto of_sky = [sky, seen](double x) { return (1.0 - sky(x)) * seen(x); };
-  made.sky_emission.push_back({{black_body(at_ground), over_intervals(of_sky)}, 1.0});
-  made.path_emission.push_back({{black_body(at_ground), over_intervals(one_minus(seen))}, 1.0});
+  made.sky_emission.push_back({{black_body_at(at_ground), over_intervals(of_sky)}, 1.0});
+  made.path_emission.push_back({{black_body_at(at_ground), over_intervals(one_minus(seen))}, 1.0});
   return made;
 }
 

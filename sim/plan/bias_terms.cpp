@@ -26,7 +26,7 @@ double upper_gamma(int k, double x) noexcept {
 }
 
 /// What lights a band with the effects that are on.
-LightBound light_of(const BandFacts& band, EffectSet on, double gloss) noexcept {
+LightBound light_bound(const BandFacts& band, EffectSet on, double gloss) noexcept {
   LightBound light;
   if (on.has(Effect::solar_reflection)) light.irradiance += gloss * band.sun_irradiance;
   if (on.has(Effect::lunar_reflection)) light.irradiance += gloss * band.moon_irradiance;
@@ -43,14 +43,14 @@ LightBound light_of(const BandFacts& band, EffectSet on, double gloss) noexcept 
 }
 
 /// max(least radiance of a surface, floor): what errors before the air count against.
-double against(const BandFacts& band, EffectSet on, double floor) noexcept {
+double glow_or_floor(const BandFacts& band, EffectSet on, double floor) noexcept {
   const double glow =
       on.has(Effect::surface_emission) ? band.least_emissivity * band.coldest_emission : 0.0;
   return std::max(glow, floor);
 }
 
 /// No error of missing light exceeds the light itself.
-double relative(double missing, double radiance) noexcept {
+double relative_to(double missing, double radiance) noexcept {
   if (!(missing > 0.0)) return 0.0;
   return radiance > 0.0 ? std::min(missing / radiance, 1.0) : 1.0;
 }
@@ -79,7 +79,7 @@ double air_share(const BandFacts& band, EffectSet on, double floor) noexcept {
   if (on.has(Effect::path_scattering)) air += band.path_scattering;
   if (on.has(Effect::path_emission)) air += band.path_emission;
   const double passed = std::max(1.0 - band.path_loss, 0.0);
-  return relative(air, std::max(passed * against(band, on, 0.0), floor));
+  return relative_to(air, std::max(passed * glow_or_floor(band, on, 0.0), floor));
 }
 
 double at_or_zero(const ByBand& values, std::size_t array, std::size_t band) {
@@ -133,16 +133,17 @@ BiasByBand bias_terms(const SceneFacts& facts, const EffectPlan& effects,
     for (std::size_t b = 0; b < facts.arrays[a].bands.size(); ++b) {
       const BandFacts& band = facts.arrays[a].bands[b];
       const double floor = at_or_zero(effects.floor_radiance, a, b);
-      const double radiance = against(band, on, floor);
-      const LightBound light = light_of(band, on, facts.gloss);
+      const double radiance = glow_or_floor(band, on, floor);
+      const LightBound light = light_bound(band, on, facts.gloss);
       BiasTerms& terms = all[a].emplace_back();
       terms.dropped_effects = at_or_zero(effects.dropped, a, b);
       terms.wavelengths = at_or_zero(wavelength_error, a, b);
       if (n > 0) {
-        terms.bounce_limit = relative(light_beyond(n, band.greatest_reflectance, light), radiance);
+        terms.bounce_limit =
+            relative_to(light_beyond(n, band.greatest_reflectance, light), radiance);
       }
       if (n > 0 && solver.method == radiometry::Method::generic) {
-        terms.thresholds = relative(thresholds_of(band, n - 2, light), radiance);
+        terms.thresholds = relative_to(thresholds_of(band, n - 2, light), radiance);
       }
       if (air_table_error > 0.0) {
         terms.air_table = (air_table_error + air_solver_rms) * air_share(band, on, floor);

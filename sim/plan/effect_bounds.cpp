@@ -88,7 +88,7 @@ double shadows(const BoundContext& c) {
 }
 
 /// The greatest difference between two pixels: what is next to a pixel may be mixed into it.
-double contrast(const BoundContext& c) {
+double greatest_contrast(const BoundContext& c) {
   if (c.scene.body_in_view || c.scene.has_volumes) return unknown;
   const BandFacts& b = c.band;
   return of_pixel(brightest(c) + b.path_scattering + b.path_emission +
@@ -131,14 +131,14 @@ constexpr std::array<Bound, radiometry::effect_count> bounds{
     [](const BoundContext& c) { return c.scene.has_volumes ? unknown : 0.0; }, shadows,
     // Displacements by (x, y) pixels change a pixel by at most (|x| + |y|) times the contrast.
     [](const BoundContext& c) {
-      return product(std::numbers::sqrt2 * c.array.refraction_pixels, contrast(c));
+      return product(std::numbers::sqrt2 * c.array.refraction_pixels, greatest_contrast(c));
     },
     eclipse,
     [](const BoundContext& c) {
-      return product(std::numbers::sqrt2 * c.array.smear_pixels, contrast(c));
+      return product(std::numbers::sqrt2 * c.array.smear_pixels, greatest_contrast(c));
     },
     [](const BoundContext& c) {
-      return product(std::numbers::sqrt2 * c.array.spread_pixels, contrast(c));
+      return product(std::numbers::sqrt2 * c.array.spread_pixels, greatest_contrast(c));
     },
     [](const BoundContext& c) { return of_pixel(c.band.noise_radiance, c); },
     [](const BoundContext& c) {

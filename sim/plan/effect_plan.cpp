@@ -30,7 +30,7 @@ EffectSet stated(const EffectsInput& wanted, EffectState state) {
 }
 
 /// 0.012 %, to two figures.
-std::string percent(double relative) { return fmt::format("{:.2g} %", 100.0 * relative); }
+std::string two_figures(double relative) { return fmt::format("{:.2g} %", 100.0 * relative); }
 
 struct BandBound {
   std::size_t band = 0;
@@ -205,7 +205,7 @@ class Reasons {
       most = here;
       name = facts_.arrays[a].bands.empty() ? "" : facts_.arrays[a].bands[here.band].name;
     }
-    return fmt::format("{} in {}", percent(most.bound), name);
+    return fmt::format("{} in {}", two_figures(most.bound), name);
   }
 
   [[nodiscard]] double worst_bound(std::size_t effect) const {
@@ -229,7 +229,7 @@ class Reasons {
         return by_rule(effect);
       case Ground::small:
         return fmt::format("adds at most {}; all effects left out may add {}", worst(effect, false),
-                           percent(budget_));
+                           two_figures(budget_));
       case Ground::needed:
         break;
     }

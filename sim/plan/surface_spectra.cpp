@@ -28,7 +28,7 @@ SpectralFunction one_less(std::vector<SpectralFunction> parts) {
 }
 
 /// Reflectance of a smooth face seen straight on.
-SpectralFunction face(const Curve& n, const Curve* k, std::vector<double>& knots_um) {
+SpectralFunction smooth_face(const Curve& n, const Curve* k, std::vector<double>& knots_um) {
   return [n = function_of(n, knots_um),
           k = k ? function_of(*k, knots_um) : constant(0.0)](double lambda_um) {
     return materials::fresnel_reflectance(1.0, std::max(n(lambda_um), 1e-6), k(lambda_um));
@@ -36,7 +36,7 @@ SpectralFunction face(const Curve& n, const Curve* k, std::vector<double>& knots
 }
 
 /// The mean over all directions of a measured table.
-SpectralFunction mean_of(const materials::BrdfTable& table, std::vector<double>& knots_um) {
+SpectralFunction mean_albedo(const materials::BrdfTable& table, std::vector<double>& knots_um) {
   const std::size_t waves = table.wavelength_um.size();
   std::vector<double> mean(waves, 0.0);
   for (std::size_t i = 0; i < table.value.size(); ++i) {
@@ -67,31 +67,35 @@ struct OfModel {
   List operator()(const materials::Leaf& /*m*/) const { return {}; }
   List operator()(const materials::Mirror& m) const {
     if (!m.n) return {};
-    return {face(*m.n, m.k ? &*m.k : nullptr, *knots_um)};
+    return {smooth_face(*m.n, m.k ? &*m.k : nullptr, *knots_um)};
   }
   List operator()(const materials::ClearSheet& m) const {
     if (!m.n) return {};
     const SpectralFunction depth = m.absorption ? of(*m.absorption) : constant(0.0);
-    return {face(*m.n, nullptr, *knots_um),
+    return {smooth_face(*m.n, nullptr, *knots_um),
             [depth](double lambda_um) { return std::exp(-depth(lambda_um)); }};
   }
   List operator()(const materials::Ward& m) const { return {of(m.specular)}; }
-  List operator()(const materials::Microfacet& m) const { return {face(m.n, &m.k, *knots_um)}; }
-  List operator()(const materials::PriestGermer& m) const { return {face(m.n, &m.k, *knots_um)}; }
+  List operator()(const materials::Microfacet& m) const {
+    return {smooth_face(m.n, &m.k, *knots_um)};
+  }
+  List operator()(const materials::PriestGermer& m) const {
+    return {smooth_face(m.n, &m.k, *knots_um)};
+  }
   List operator()(const materials::CoxMunk& m) const {
-    return {face(m.n, &m.k, *knots_um), of(m.water_body)};
+    return {smooth_face(m.n, &m.k, *knots_um), of(m.water_body)};
   }
   List operator()(const materials::RossLi& m) const {
     return {of(m.isotropic), of(m.volumetric), of(m.geometric)};
   }
   List operator()(const materials::RahmanPintyVerstraete& m) const { return {of(m.rho0)}; }
   List operator()(const materials::Hapke& m) const { return {of(m.single_scattering_albedo)}; }
-  List operator()(const materials::Measured& m) const { return {mean_of(*m.table, *knots_um)}; }
+  List operator()(const materials::Measured& m) const { return {mean_albedo(*m.table, *knots_um)}; }
   List operator()(const materials::Mixture& /*m*/) const { return {}; }
 };
 
-SurfaceSpectra spectra_of(const SpectralFunction& scatters, const SpectralFunction& emits,
-                          const std::vector<SpectralFunction>& together) {
+SurfaceSpectra spectra_with(const SpectralFunction& scatters, const SpectralFunction& emits,
+                            const std::vector<SpectralFunction>& together) {
   return {scatters, emits, [scatters, together](double lambda_um) {
             double all = 0.0;
             for (const SpectralFunction& one : together) all += one(lambda_um);
@@ -136,7 +140,8 @@ std::vector<SurfaceSpectra> surface_spectra(const materials::Material& material,
   }
   const SpectralFunction emits = emissivity ? *emissivity : one_less(scattering);
   std::vector<SurfaceSpectra> all;
-  for (const SpectralFunction& one : scattering) all.push_back(spectra_of(one, emits, scattering));
+  for (const SpectralFunction& one : scattering)
+    all.push_back(spectra_with(one, emits, scattering));
   if (all.empty()) all.push_back({constant(0.0), emits, constant(0.0)});
   return all;
 }

@@ -55,11 +55,13 @@ void fill_strip(ExrStrip& strip, const ArrayImage& image, const ProductsInput& w
   for (const BandImage& band : image.bands) {
     strip.add("radiance." + band.name, band.radiance);
     strip.add("error." + band.name, band.standard_error);
+    strip.add("bias." + band.name, band.bias);
     strip.add_wider("dn." + band.name, band.dn);
     strip.add("noise." + band.name, band.noise);
     if (wanted.electrons) strip.add("electrons." + band.name, band.electrons);
     if (wanted.statistics) add_shares_to(strip, band);
   }
+  strip.add("paths", image.pixel_paths);
   if (wanted.truth) add_truth_to(strip, image.truth, wanted.fractions);
 }
 
@@ -100,7 +102,9 @@ Attributes attributes_of(const ArrayImage& image, const ArrayTask& task) {
                            {"acquisitionTimeUtc", context.time_utc},
                            {"software", "nadir " + context.version}};
   add_calibration(attributes, image, task);
-  if (context.wanted.statistics) attributes["pathsPerPixel"] = static_cast<int>(image.paths);
+  const bool alike = image.pixel_paths.empty();  // else they are a channel
+  if (context.wanted.statistics && alike)
+    attributes["pathsPerPixel"] = static_cast<int>(image.paths);
   if (!context.wanted.truth) return attributes;
   attributes["materialNames"] = names_with_sky(image.truth.material_names);
   if (!image.truth.object.empty()) {

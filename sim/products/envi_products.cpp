@@ -28,6 +28,8 @@ class ProductMaker {
   void add_noise();
   void add_electrons();
   void add_effects();
+  void add_bias();
+  void add_paths();
   [[nodiscard]] std::vector<EnviProduct> take() { return std::move(products_); }
 
  private:
@@ -109,6 +111,23 @@ void ProductMaker::add_radiance() {
   add_bands(product("standard error", "_error.img", EnviType::float32,
                     "Standard error of the spectral radiance"),
             &BandImage::standard_error, envi_radiance_units);
+}
+
+void ProductMaker::add_bias() {
+  add_bands(product("systematic error", "_bias.img", EnviType::float32,
+                    "Bound of the error that sampling does not show"),
+            &BandImage::bias, envi_radiance_units);
+}
+
+void ProductMaker::add_paths() {
+  if (image_.pixel_paths.empty()) return;
+  EnviProduct paths =
+      product("paths", "_paths.img", EnviType::uint32, "Paths that the pixel was sampled with");
+  paths.header.band_names = {"paths"};
+  paths.planes.emplace_back([](const ArrayImage& strip, std::vector<float>&) -> StripPlane {
+    return std::span<const std::uint32_t>{strip.pixel_paths};
+  });
+  keep(std::move(paths));
 }
 
 void ProductMaker::add_truth() {
@@ -230,11 +249,13 @@ void ProductMaker::add_shares(EnviProduct& product, LightShare part, const char*
 }
 
 void ProductMaker::add_effects() {
+  const bool alike = image_.pixel_paths.empty();  // else they are a plane of their own
+  const std::string what = "Shares of the band's radiance";
   EnviProduct effects =
       product("effects", "_effects.img", EnviType::float32,
-              fmt::format("Shares of the band's radiance; {} paths a pixel", image_.paths));
+              alike ? fmt::format("{}; {} paths a pixel", what, image_.paths) : what);
   effects.header.nan_is_no_data = true;
-  effects.header.more.emplace_back("paths per pixel", std::to_string(image_.paths));
+  if (alike) effects.header.more.emplace_back("paths per pixel", std::to_string(image_.paths));
   add_shares(effects, LightShare::path, " path");
   add_shares(effects, LightShare::emission, " emission");
   add_shares(effects, LightShare::reflection, " reflection");
@@ -247,6 +268,8 @@ std::vector<EnviProduct> envi_products(const ArrayImage& first, const ArrayTask&
   const ProductsInput& wanted = task.context->wanted;
   ProductMaker maker{first, task};
   maker.add_radiance();
+  maker.add_bias();
+  maker.add_paths();
   if (wanted.envi && wanted.truth) {
     maker.add_truth();
     maker.add_ids();

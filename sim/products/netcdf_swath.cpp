@@ -73,6 +73,25 @@ NetCdfVariable cube(const char* name, const fs::path& file, NetCdfAttributes att
           true};
 }
 
+/// How many paths each pixel had, and what is stated of the error that they do not show: where the
+/// image was sampled to a goal.
+void add_sampling(const GeoTask& task, std::vector<NetCdfVariable>& variables) {
+  const auto bias = task.with("_bias.img"), paths = task.with("_paths.img");
+  if (fs::exists(bias)) {
+    variables.push_back(cube("radiance_bias", bias,
+                             {{"long_name", "bound of the systematic error of the radiance"}}));
+  }
+  if (!fs::exists(paths)) return;
+  variables.push_back({"paths",
+                       {line_dimension, sample_dimension},
+                       VariableType::int32,
+                       RasterPlanes{paths, 1},
+                       {{"long_name", "paths that the pixel was sampled with"},
+                        {"units", "1"},
+                        {"coordinates", auxiliary},
+                        {"grid_mapping", "crs"}}});
+}
+
 void add_cubes(const GeoTask& task, std::vector<NetCdfVariable>& variables) {
   const auto error = task.with("_error.img");
   const bool has_error = fs::exists(error);
@@ -183,6 +202,7 @@ std::vector<ProductFile> write_netcdf_swath(const GeoTask& task) {
     file.attributes.emplace_back("instrument", camera.instrument_name);
   }
   add_cubes(task, file.variables);
+  add_sampling(task, file.variables);
   add_bands(task, file.variables);
   add_places(places.file(), file.variables);
   add_times(task, file.variables);

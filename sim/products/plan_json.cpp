@@ -61,7 +61,8 @@ PlanJson plan_value(const Prediction& p, const CameraNames& names) {
   json["memory_bytes"] = finite_or_null(p.memory_bytes);
   json["paths_per_pixel"] = finite_or_null(p.mean_paths);
   json["seconds_per_path"] = finite_or_null(p.seconds_per_path);
-  json["error"] = band_map(names, p.bands, [](const BandForecast& band) { return plan_value(band); });
+  json["error"] =
+      band_map(names, p.bands, [](const BandForecast& band) { return plan_value(band); });
   json["reachable_accuracy"] = finite_or_null(p.reachable);
   json["pilot"] = {{"pixels", p.pilot_pixels}, {"paths", p.pilot_paths}, {"seconds", p.pilot_s}};
   return json;
@@ -83,9 +84,8 @@ PlanJson budget_json(const PlanSheet& sheet) {
   json["floor_radiance_w_m2_sr_um"] =
       band_map(sheet.names, sheet.bands,
                [](const PlannedBand& band) { return finite_or_null(band.floor_radiance); });
-  json["dropped"] = band_map(sheet.names, sheet.bands, [](const PlannedBand& band) {
-    return finite_or_null(band.dropped);
-  });
+  json["dropped"] = band_map(sheet.names, sheet.bands,
+                             [](const PlannedBand& band) { return finite_or_null(band.dropped); });
   json["bias"] = band_map(sheet.names, sheet.bands,
                           [](const PlannedBand& band) { return plan_value(band.bias); });
   return json;
@@ -97,8 +97,8 @@ PlanJson settings_json(const PlanSheet& sheet) {
   json["solver"] = sheet.solver;
   json["reason"] = sheet.solver_reason;
   json["samples"] = sheet.samples;
-  json["wavelengths"] = band_map(sheet.names, sheet.bands,
-                                 [](const PlannedBand& band) { return band.wavelengths; });
+  json["wavelengths"] =
+      band_map(sheet.names, sheet.bands, [](const PlannedBand& band) { return band.wavelengths; });
   return json;
 }
 

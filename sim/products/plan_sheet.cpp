@@ -78,8 +78,8 @@ WorstBand worst_of(const ByBand& bound, const CameraNames& names) {
   for (std::size_t i = 0; i < bound.size() && i < names.size(); ++i) {
     for (std::size_t b = 0; b < bound[i].size() && b < names[i].bands.size(); ++b, ++bands) {
       if (!(bound[i][b] > worst.bound)) continue;
-      worst = {bound[i][b], names.size() > 1 ? names[i].array + "/" + names[i].bands[b]
-                                             : names[i].bands[b]};
+      worst = {bound[i][b],
+               names.size() > 1 ? names[i].array + "/" + names[i].bands[b] : names[i].bands[b]};
     }
   }
   if (bands == 1) worst.name.clear();
@@ -88,7 +88,8 @@ WorstBand worst_of(const ByBand& bound, const CameraNames& names) {
 
 std::string effects_table(const PlanSheet& sheet) {
   const bool timed = sheet.prediction.has_value();
-  std::vector<TextColumn> columns{{"effect"}, {"state", false, 22}, {"bound", true}, {"in", false, 16}};
+  std::vector<TextColumn> columns{
+      {"effect"}, {"state", false, 22}, {"bound", true}, {"in", false, 16}};
   if (timed) {
     columns.push_back({"seconds", true});
     columns.push_back({"share", true});
@@ -169,8 +170,9 @@ std::string prediction_text(const Prediction& p) {
                   plan_seconds(p.air_s), plan_seconds(p.render_s), plan_seconds(p.products_s),
                   memory_text(p.memory_bytes), p.mean_paths, 1e6 * p.seconds_per_path));
   if (std::isfinite(p.reachable)) {
-    text += paragraph("reached", fmt::format("a standard error of {} in 95 % of every band's pixels",
-                                             percent_text(p.reachable)));
+    text +=
+        paragraph("reached", fmt::format("a standard error of {} in 95 % of every band's pixels",
+                                         percent_text(p.reachable)));
   }
   return text + paragraph("pilot", fmt::format("{} pixels, {} paths, {} s", p.pilot_pixels,
                                                p.pilot_paths, plan_seconds(p.pilot_s)));
@@ -191,13 +193,12 @@ std::vector<EffectSheet> effect_sheets(const EffectPlan& plan, const CameraNames
 std::string plan_text(const PlanSheet& sheet) {
   std::string text = paragraph(
       "scenario", sheet.title.empty() ? sheet.scenario : sheet.scenario + ": " + sheet.title);
-  text += paragraph("wanted", sheet.wanted + fmt::format("; effects left out may add up to {}",
-                                                         percent_text(sheet.effects_share *
-                                                                      sheet.relative)));
+  text += paragraph("wanted",
+                    sheet.wanted + fmt::format("; effects left out may add up to {}",
+                                               percent_text(sheet.effects_share * sheet.relative)));
   text += "\n" + effects_table(sheet) + "\n" + bands_table(sheet) + "\n";
-  text += paragraph("solver", sheet.solver + (sheet.solver_reason.empty()
-                                                  ? ""
-                                                  : ": " + sheet.solver_reason));
+  text += paragraph("solver",
+                    sheet.solver + (sheet.solver_reason.empty() ? "" : ": " + sheet.solver_reason));
   text += paragraph("samples", sheet.samples);
   if (sheet.prediction) text += prediction_text(*sheet.prediction);
   return text;

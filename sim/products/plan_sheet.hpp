@@ -39,7 +39,8 @@ struct EffectSheet {
 struct BandForecast {
   double median_error = std::numeric_limits<double>::quiet_NaN();
   double p95_error = std::numeric_limits<double>::quiet_NaN();
-  double met = std::numeric_limits<double>::quiet_NaN();  ///< share of pixels that meet the accuracy
+  double met =
+      std::numeric_limits<double>::quiet_NaN();  ///< share of pixels that meet the accuracy
 };
 
 /// What a run is expected to take, from a pilot.

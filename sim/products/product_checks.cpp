@@ -38,6 +38,7 @@ void check_band_planes(PlaneChecker& checker, const BandImage& band) {
               band.brightness_temperature_error.size());
   checker.may("the path radiance of " + band.name, band.shares.path.size());
   checker.may("the emission of " + band.name, band.shares.emission.size());
+  checker.may("the systematic error of " + band.name, band.bias.size());
   checker.may("the digital numbers of " + band.name, band.dn.size());
   checker.may("the electrons of " + band.name, band.electrons.size());
   checker.may("the noise of " + band.name, band.noise.size());
@@ -77,6 +78,7 @@ PlaneList check_planes(const ArrayImage& image, bool truth) {
   }
   PlaneChecker checker{image};
   for (const BandImage& band : image.bands) check_band_planes(checker, band);
+  checker.may("the paths", image.pixel_paths.size());
   check_truth_planes(checker, image.truth, truth);
   check_fractions(image);
   return checker.take();

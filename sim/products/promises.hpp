@@ -19,7 +19,7 @@ struct AuditReport {
   std::vector<std::string> not_audited;  ///< effects that were not, each with its reason
   std::string verdict;                   ///< one sentence
   std::uint64_t pixels = 0;              ///< looked at
-  double budget = 0.0;  ///< of what is left out, relative to max(radiance, floor)
+  double budget = 0.0;                   ///< of what is left out, relative to max(radiance, floor)
   /// Largest |difference| relative to max(radiance, floor), and the standard error of that one.
   double largest = 0.0, largest_error = 0.0;
   std::string array, band;  ///< where it was found

@@ -38,7 +38,7 @@ std::string padded(const std::string& text, const TextColumn& column, std::size_
 }
 
 void add_table_row(const std::vector<std::string>& row, const std::vector<TextColumn>& columns,
-             const std::vector<std::size_t>& widths, std::string& text) {
+                   const std::vector<std::size_t>& widths, std::string& text) {
   std::vector<CellLines> cells;
   std::size_t height = 1;
   for (std::size_t i = 0; i < row.size(); ++i) {

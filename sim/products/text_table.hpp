@@ -9,7 +9,7 @@ namespace nadir::sim {
 /// A column of a table for people.
 struct TextColumn {
   std::string head;
-  bool to_the_right = false;  ///< numbers
+  bool to_the_right = false;   ///< numbers
   std::size_t most_width = 0;  ///< wider text goes on in the next line; 0: as wide as it is
 };
 

@@ -114,11 +114,24 @@ class Audit {
     return layered ? std::max(solved_s, lanes_of(run_) * audit_air_lane_s) : solved_s;
   }
 
+  /// What the first pixels take: each twice, and more with everything on.
+  [[nodiscard]] double first_pixels_s() const {
+    constexpr double dearer = 1.5;
+    double pixels = 0.0;
+    for (const sensor::DetectorArray& array : run_.world.camera.arrays) {
+      pixels += static_cast<double>(array.samples) * static_cast<double>(array.lines);
+    }
+    const double share = pixels > 0.0 ? std::min(1.0, first_audited / pixels) : 0.0;
+    return (1.0 + dearer) * share * stage_cpu(request_.stages, {"render"});
+  }
+
   /// Leaves out what does not fit into the time allowed, and says so.
   void choose(std::vector<Effect> dropped) {
     const double allowed_s = allowed_cpu_s();
-    double cost_s = stage_cpu(request_.stages, {"read scenario", "build scene"});
-    if (cost_s > allowed_s) return leave_out(dropped, cost_s, "loading the scene again");
+    double cost_s = stage_cpu(request_.stages, {"read scenario", "build scene"}) + first_pixels_s();
+    if (cost_s > allowed_s) {
+      return leave_out(dropped, cost_s, "loading the scene again for a few pixels");
+    }
     for (const bool air : {true, false}) {
       std::vector<Effect> group;
       for (const Effect effect : dropped) {
@@ -221,8 +234,7 @@ class Audit {
     const double spent_s = all_cpu(clock_.stages());
     const double a_pixel_s =
         std::max(clock_.stages().back().cpu_s, 1e-6) / static_cast<double>(report_.pixels);
-    const double more =
-        std::min<double>(most_audited, (allowed_cpu_s() - spent_s) / a_pixel_s);
+    const double more = std::min<double>(most_audited, (allowed_cpu_s() - spent_s) / a_pixel_s);
     if (more >= 1.0) look(static_cast<int>(more), mix(seed_, 1));
   }
 
@@ -250,9 +262,9 @@ class Audit {
       report_.cpu_s += stage.cpu_s;
     }
     if (report_.pixels == 0) {
-      report_.verdict = "not audited: " + (report_.not_audited.empty()
-                                               ? std::string{"the camera has no pixels"}
-                                               : report_.not_audited.front());
+      report_.verdict =
+          "not audited: " + (report_.not_audited.empty() ? std::string{"the camera has no pixels"}
+                                                         : report_.not_audited.front());
       return;
     }
     const std::string budget = fmt::format("{:.2g} %", 100.0 * report_.budget);
@@ -262,12 +274,14 @@ class Audit {
         report_.sample, report_.line);
     report_.verdict =
         report_.beyond == 0
-            ? fmt::format("none of {} pixels differs by more than {} from one with everything on; "
-                          "with 95 % confidence fewer than {:.2g} % of all do; {}",
-                          report_.pixels, budget, 100.0 * report_.beyond_share, largest)
-            : fmt::format("{} of {} pixels differ by more than {} from one with everything on, {} "
-                          "of them by more than twice the noise; {}",
-                          report_.beyond, report_.pixels, budget, report_.surely_beyond, largest);
+            ? fmt::format(
+                  "none of {} pixels differs by more than {} from one with everything on; "
+                  "with 95 % confidence fewer than {:.2g} % of all do; {}",
+                  report_.pixels, budget, 100.0 * report_.beyond_share, largest)
+            : fmt::format(
+                  "{} of {} pixels differ by more than {} from one with everything on, {} "
+                  "of them by more than twice the noise; {}",
+                  report_.beyond, report_.pixels, budget, report_.surely_beyond, largest);
   }
 
   const AuditRequest& request_;

@@ -8,8 +8,8 @@
 
 #include "core/diagnostics.hpp"
 #include "sim/products/promises.hpp"
-#include "sim/run/prepare.hpp"
 #include "sim/run/prediction.hpp"
+#include "sim/run/prepare.hpp"
 #include "sim/run/probe.hpp"
 #include "sim/run/stage_clock.hpp"
 

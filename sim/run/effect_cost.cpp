@@ -12,9 +12,9 @@ using radiometry::Effect;
 // What a look into the air's tables costs a line of sight, and what bending it costs, in units of
 // an average ray; a scattering in a volume likewise. Round figures: the model is one of shares.
 constexpr double air_look = 0.5, bend = 4.0, volume_event = 1.0;
-constexpr double noise_s = 30e-9;        // a detector's number
-constexpr double heat_cell_s = 200e-6;   // docs/exposure.md and docs/heat-solver.md
-constexpr double air_lane_s = 0.05;      // of one lane of air in layers, 8 streams, both sources
+constexpr double noise_s = 30e-9;       // a detector's number
+constexpr double heat_cell_s = 200e-6;  // docs/exposure.md and docs/heat-solver.md
+constexpr double air_lane_s = 0.05;     // of one lane of air in layers, 8 streams, both sources
 
 /// The render's processor time by what its rays are for.
 struct RayTimes {
@@ -139,9 +139,8 @@ void cost_effects(const PredictionBasis& basis, const Pilot& pilot, const Predic
   }
   if (!(prediction.air_s > 0.0)) {  // the first of them would have the air solved
     const double solve_s = air_seconds_unsolved(run);
-    for (const Effect air :
-         {Effect::sky_scattering, Effect::sky_emission, Effect::path_scattering,
-          Effect::path_emission, Effect::path_transmittance}) {
+    for (const Effect air : {Effect::sky_scattering, Effect::sky_emission, Effect::path_scattering,
+                             Effect::path_emission, Effect::path_transmittance}) {
       book.would_cost(air, solve_s);
     }
   }

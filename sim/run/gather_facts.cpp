@@ -49,7 +49,7 @@ struct SkyFacts {
   bool drowned = false;  ///< the moon, by a sun that stands high
 };
 
-void place(BodyFacts& body, const ephemeris::BodyPosition& at, double dip_rad) {
+void place_body(BodyFacts& body, const ephemeris::BodyPosition& at, double dip_rad) {
   body.direction = at.direction_enu;
   body.elevation = at.elevation;
   body.radius_rad = at.angular_radius.value;
@@ -88,8 +88,8 @@ SkyFacts sky_facts(const ComputedSky& sky, const Scenario& scenario) {
       {scenario.origin.latitude_deg, scenario.origin.longitude_deg, scenario.origin.height_m});
   SkyFacts facts;
   const double dip = dip_of(scenario.origin.height_m);
-  place(facts.sun, seen.sun, dip);
-  place(facts.moon, seen.moon, dip);
+  place_body(facts.sun, seen.sun, dip);
+  place_body(facts.moon, seen.moon, dip);
   if (sky.sun_shines) take_light(sky.solar_irradiance, facts.sun);
   if (sky.moon_shines) take_light(sky.lunar_irradiance, facts.moon);
   const double distance_au = seen.sun.distance.value / astro::astronomical_unit_m;

@@ -25,7 +25,8 @@ PixelName name_of_pixel(const PixelPlace& place) { return {place.array, place.li
 std::vector<PixelPlace> new_pixels(const World& world, int count, std::uint64_t seed,
                                    const std::set<PixelName>& seen) {
   std::vector<PixelPlace> places = random_pixels(world, count, seed);
-  std::erase_if(places, [&](const PixelPlace& place) { return seen.count(name_of_pixel(place)) > 0; });
+  std::erase_if(places,
+                [&](const PixelPlace& place) { return seen.count(name_of_pixel(place)) > 0; });
   return places;
 }
 

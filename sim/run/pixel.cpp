@@ -23,7 +23,7 @@ int replicates_of(const RenderOptions& options) {
 }
 
 TruthOptions truth_of(const ArrayJob& job, const PixelRound& round) {
-  return round.truth() ? job.truth : TruthOptions{.planes = false};
+  return round.truth ? job.truth : TruthOptions{.planes = false};
 }
 
 std::size_t pixel_in(const ArrayImage& image, int sample, int line) {
@@ -58,7 +58,6 @@ PixelRenderer::PixelRenderer(const ArrayJob& job, const RenderOptions& options,
       bands_{job.array->bands.size(), replicates_, weighted_},
       truth_{*job.scene, truth_of(job, round)},
       found_(job.array->bands.size()),
-      known_(job.array->bands.size()),
       errors_(job.array->bands.size(), ErrorStatement{replicates_}) {
   for (const radiometry::LitScene& block : job.blocks) {
     if (job.scene->method == radiometry::Method::path) {
@@ -96,31 +95,17 @@ void PixelRenderer::begin_pixel(int sample, int line) {
   for (auto* sums : {&path_, &emission_}) {
     for (auto& sum : *sums) sum = spectral::SpectrumSum{sum.count()};
   }
-  load_known();
-}
-
-void PixelRenderer::load_known() {
-  known_paths_ = 0;
+  least_paths_ = 0.0;
   std::fill(found_.begin(), found_.end(), Estimate{0.0, 0.0});
-  if (round_.known == nullptr) return;
-  const ArrayImage& image = *round_.known;
-  const std::size_t pixel = pixel_in(image, sample_, line_);
-  known_paths_ = image.paths_of(pixel);
-  for (std::size_t band = 0; band < known_.size(); ++band) {
-    known_[band] = {image.bands[band].radiance[pixel], image.bands[band].standard_error[pixel]};
-  }
 }
 
-void PixelRenderer::render(int sample, int line, ArrayImage& strip) {
+void PixelRenderer::render(int sample, int line, ArrayImage& strip, const PixelOrder& order) {
   begin_pixel(sample, line);
-  sample_as_asked();
-  store(strip);
-}
-
-void PixelRenderer::render(int sample, int line, int samples, ArrayImage& strip) {
-  begin_pixel(sample, line);
-  if (samples > 0) {
-    sample_to(samples);
+  least_paths_ = order.least_paths;
+  if (!order.samples) {
+    sample_as_asked();
+  } else if (*order.samples > 0) {
+    sample_to(*order.samples);
     judge();
   }
   store(strip);
@@ -146,7 +131,6 @@ void PixelRenderer::sample_as_asked() {
 
 void PixelRenderer::sample_to_goal() {
   const SamplingGoal& goal = *options_->goal;
-  if (known_paths_ > 0 && meets_goal()) return;
   // The first look comes at half the least number, so that two agree when a pixel is done with it.
   int next = std::max(1, goal.first_samples / 2);
   while (samples_ < goal.most_samples) {
@@ -162,13 +146,12 @@ void PixelRenderer::sample_to_goal() {
 }
 
 bool PixelRenderer::meets_goal() const {
+  if (paths() < least_paths_) return false;
   const auto& goals = options_->goal->bands[job_->number];
   for (std::size_t band = 0; band < found_.size(); ++band) {
-    const Estimate all =
-        merged({known_[band], known_paths_}, {found_[band], static_cast<std::uint32_t>(paths())});
-    // What is no number gets none by more samples.
-    if (!std::isfinite(all.mean)) continue;
-    if (!(all.standard_error <= goals[band].error_of(all.mean))) return false;
+    const Estimate& found = found_[band];
+    if (!std::isfinite(found.mean)) continue;  // what is no number gets none by more samples
+    if (!(found.standard_error <= goals[band].error_of(found.mean))) return false;
   }
   return true;
 }
@@ -267,7 +250,7 @@ void PixelRenderer::store(ArrayImage& strip) const {
     image.shares.path[pixel] = static_cast<float>(of_band(band, path_) / all_paths);
     image.shares.emission[pixel] = static_cast<float>(of_band(band, emission_) / all_paths);
   }
-  if (!round_.truth()) return;
+  if (!round_.truth) return;
   truth_.store(pixel, strip.truth);
   if (!strip.truth.time_s.empty()) {
     strip.truth.time_s[pixel] = sensor::image_time_s(*job_->array, {sample_ + 0.5, line_ + 0.5});

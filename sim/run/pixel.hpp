@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -39,9 +40,8 @@ struct ArrayJob {
 
 /// One round of an array's samples.
 struct PixelRound {
-  std::uint64_t array_key = 0;        ///< of the round's random numbers
-  const ArrayImage* known = nullptr;  ///< what former rounds found, merged; null: nothing
-  [[nodiscard]] bool truth() const { return known == nullptr; }  ///< sampled once, at first
+  std::uint64_t array_key = 0;  ///< of the round's random numbers
+  bool truth = true;            ///< filled by the first round alone
 };
 /// The key of a round's random numbers: independent of those of all other rounds and arrays.
 [[nodiscard]] std::uint64_t round_key(std::uint64_t seed, std::size_t array, std::uint32_t round);
@@ -53,6 +53,14 @@ struct PixelMeasure {
   std::uint32_t paths = 0;                      ///< sampled
 };
 
+/// How a pixel is sampled.
+struct PixelOrder {
+  /// A replicate, whatever the goal; 0 leaves the pixel blank. Nothing: until the goal of the
+  /// options is met or, without one, as often as they say.
+  std::optional<int> samples{};
+  double least_paths = 0.0;  ///< with a goal: it gets no fewer, though it meets that sooner
+};
+
 /// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and
 /// all scratch memory, so that a pixel allocates nothing.
 class PixelRenderer {
@@ -60,12 +68,8 @@ class PixelRenderer {
   PixelRenderer(const ArrayJob& job, const RenderOptions& options, const PixelRound& round);
 
   /// Computes a pixel and stores it in the strip or tile; pixels may be computed in any order.
-  /// Where the options have a goal, it is sampled until what it found, merged with what former
-  /// rounds found, meets that; else as often as the options say.
   /// @param sample, line  of the image
-  void render(int sample, int line, ArrayImage& strip);
-  /// The same with so many samples a replicate, whatever the goal; none leaves the pixel blank.
-  void render(int sample, int line, int samples, ArrayImage& strip);
+  void render(int sample, int line, ArrayImage& strip, const PixelOrder& order = {});
   /// Computes a pixel and gives what was found, without storing it.
   /// @param found  is filled; its vectors keep their memory
   void measure(int sample, int line, PixelMeasure& found);
@@ -75,7 +79,6 @@ class PixelRenderer {
   void begin_pixel(int sample, int line);
   void sample_as_asked();
   void sample_to_goal();
-  void load_known();
   /// More samples of every replicate, up to a number.
   void sample_to(int samples);
   /// One path: adds what it saw to the sums of all blocks.
@@ -86,7 +89,7 @@ class PixelRenderer {
   template <class Values>
   [[nodiscard]] double of_band(std::size_t band, const Values& by_block) const;
   void close_replicate(int samples);
-  /// What is known of a band after the present samples, its error stated as the options ask.
+  /// What is known of the bands after the present samples, errors stated as the options ask.
   void judge();
   [[nodiscard]] bool meets_goal() const;
   [[nodiscard]] std::uint32_t paths() const {
@@ -108,9 +111,9 @@ class PixelRenderer {
   BandSums bands_;
   TruthSums truth_;
   int sample_ = 0, line_ = 0, samples_ = 0;  // of the present pixel
-  std::vector<Estimate> found_, known_;      // one a band
+  std::vector<Estimate> found_;              // one a band
   std::vector<ErrorStatement> errors_;       // one a band
-  std::uint32_t known_paths_ = 0;
+  double least_paths_ = 0.0;                 // of the present pixel
 };
 
 }  // namespace nadir::sim

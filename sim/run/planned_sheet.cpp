@@ -33,7 +33,8 @@ std::string samples_text(const PreparedRun& run, bool timed) {
                        run.sampling.samples_per_replicate);
   }
   const int least = run.goal->replicates * run.goal->first_samples;
-  if (timed) return fmt::format("rounds until the time is up, in {} replicates", run.goal->replicates);
+  if (timed)
+    return fmt::format("rounds until the time is up, in {} replicates", run.goal->replicates);
   return fmt::format("doubling rounds in {} replicates until all bands are done: {} to {} paths",
                      run.goal->replicates, least, run.goal->replicates * run.goal->most_samples);
 }

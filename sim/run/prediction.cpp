@@ -21,23 +21,40 @@ struct PilotPixel {
   double seconds_per_path = 0.0;
   std::vector<double> noise;  ///< by band: deviation of one path, relative to max(radiance, floor)
   double paths = 0.0;         ///< that it is expected to get
+  double truth_ray_s = 0.0;   ///< of the truth planes' rays of a path
+  double most_truth = HUGE_VAL;  ///< paths that have those
+
+  [[nodiscard]] double seconds() const {
+    return weight * (paths * seconds_per_path + std::min(paths, most_truth) * truth_ray_s);
+  }
 };
 
-std::vector<PilotPixel> pilot_pixels(const World& world, const Pilot& pilot) {
+/// Rays for the truth planes, which the pilot does not fill: one a path for shadows, one for the
+/// share of the sky, each at the mean price of a ray.
+double truth_ray_seconds(const PreparedRun& run, const Pilot& pilot) {
+  const ProductsInput& wanted = run.scenario.products;
+  const double rays = static_cast<double>(pilot.counters.rays());
+  if (!wanted.truth || !(rays > 0.0)) return 0.0;
+  return (wanted.sky_view ? 2.0 : 1.0) * pilot.cpu_s / rays;
+}
+
+std::vector<PilotPixel> pilot_pixels(const PreparedRun& run, const Pilot& pilot) {
+  const World& world = run.world;
   const auto& arrays = world.camera.arrays;
   std::vector<double> seen(arrays.size(), 0.0);
   for (const ProbedPixel& pixel : pilot.pixels) seen[static_cast<std::size_t>(pixel.place.array)]++;
   std::vector<PilotPixel> pixels;
   for (const ProbedPixel& probed : pilot.pixels) {
     PilotPixel pixel;
+    pixel.truth_ray_s = truth_ray_seconds(run, pilot);
+    if (run.goal) pixel.most_truth = run.goal->replicates * run.goal->first_samples;
     pixel.array = static_cast<std::size_t>(probed.place.array);
     pixel.weight = static_cast<double>(arrays[pixel.array].samples) *
                    static_cast<double>(arrays[pixel.array].lines) / seen[pixel.array];
     pixel.seconds_per_path = probed.cpu_s / std::max(1U, probed.paths);
     for (std::size_t b = 0; b < probed.bands.size(); ++b) {
       const Estimate& estimate = probed.bands[b];
-      const double unit =
-          std::max(estimate.mean, world.effects.floor_radiance[pixel.array][b]);
+      const double unit = std::max(estimate.mean, world.effects.floor_radiance[pixel.array][b]);
       const double of_one = estimate.standard_error * std::sqrt(static_cast<double>(probed.paths));
       pixel.noise.push_back(unit > 0.0 ? of_one / unit : 0.0);
     }
@@ -60,7 +77,7 @@ double paths_needed(const PilotPixel& pixel, const SamplingGoal& goal, double re
 /// Processor time of all paths.
 double path_seconds(const std::vector<PilotPixel>& pixels) {
   double seconds = 0.0;
-  for (const PilotPixel& p : pixels) seconds += p.weight * p.paths * p.seconds_per_path;
+  for (const PilotPixel& pixel : pixels) seconds += pixel.seconds();
   return seconds;
 }
 
@@ -145,8 +162,8 @@ double strip_bytes(const PreparedRun& run) {
   for (const sensor::DetectorArray& array : run.world.camera.arrays) {
     const double all = static_cast<double>(array.samples) * static_cast<double>(array.lines);
     const double pixels = std::min(all, std::max(strip_pixels, 16.0 * array.samples));
-    const double bytes =
-        band_bytes * static_cast<double>(array.bands.size()) + (run.scenario.products.truth ? pixel_bytes : 0.0);
+    const double bytes = band_bytes * static_cast<double>(array.bands.size()) +
+                         (run.scenario.products.truth ? pixel_bytes : 0.0);
     most = std::max(most, 2.0 * pixels * bytes);
   }
   return most;
@@ -158,15 +175,6 @@ void add_stages(const PredictionBasis& basis, Prediction& prediction) {
      : stage.name == "air" ? prediction.air_s
                            : prediction.load_s) += stage.wall_s;
   }
-}
-
-/// Rays for the truth planes, which the pilot does not fill: one a path for shadows, one for the
-/// share of the sky.
-double truth_seconds(const PreparedRun& run, const Pilot& pilot, double paths) {
-  const ProductsInput& wanted = run.scenario.products;
-  const double rays = static_cast<double>(pilot.counters.rays());
-  if (!wanted.truth || !(rays > 0.0)) return 0.0;
-  return paths * (wanted.sky_view ? 2.0 : 1.0) * pilot.cpu_s / rays;
 }
 
 void set_paths(const PredictionBasis& basis, double fixed_s, std::vector<PilotPixel>& pixels) {
@@ -191,7 +199,7 @@ Prediction predict(const PredictionBasis& basis, const Pilot& pilot) {
   Prediction prediction;
   add_stages(basis, prediction);
   prediction.products_s = product_seconds(run);
-  std::vector<PilotPixel> pixels = pilot_pixels(run.world, pilot);
+  std::vector<PilotPixel> pixels = pilot_pixels(run, pilot);
   const double fixed_s =
       prediction.load_s + prediction.heat_s + prediction.air_s + prediction.products_s;
   set_paths(basis, fixed_s, pixels);
@@ -200,7 +208,7 @@ Prediction predict(const PredictionBasis& basis, const Pilot& pilot) {
     paths += pixel.weight * pixel.paths;
     all += pixel.weight;
   }
-  prediction.render_cpu_s = path_seconds(pixels) + truth_seconds(run, pilot, paths);
+  prediction.render_cpu_s = path_seconds(pixels);
   prediction.render_s = prediction.render_cpu_s / (threads_of(basis) * threads_efficiency);
   prediction.seconds = fixed_s + prediction.render_s;
   prediction.memory_bytes = static_cast<double>(peak_memory_bytes()) + strip_bytes(run);

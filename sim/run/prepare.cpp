@@ -13,8 +13,9 @@
 namespace nadir::sim {
 namespace {
 
-// Of the error that sampling may have, the wavelengths may add a tenth.
-constexpr double wavelengths_share = 0.1;
+// Of the accuracy that is asked for, the wavelengths may spend half beside the sampling: docs/wavelengths.md
+// shows how fast their number grows.
+constexpr double wavelengths_share = 0.5;
 
 SamplingGoal goal_of(const EffectPlan& effects) {
   SamplingGoal goal;

@@ -52,7 +52,7 @@ struct RenderOptions {
   /// Sampling until a moment; needs a goal, which says what errors are worth; null: no limit.
   const TimeGoal* time = nullptr;
   /// By array and band: what is known of the error that sampling does not show, relative to
-  /// max(radiance, floor); fills BandImage::bias. Null: that is not filled.
+  /// max(radiance, floor); with a goal it fills BandImage::bias. Null: that is not filled.
   const std::vector<std::vector<double>>* bias = nullptr;
   TileStore* store = nullptr;  ///< where tiles are kept and found; null: nowhere
   RenderRounds rounds{};

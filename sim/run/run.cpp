@@ -157,13 +157,15 @@ class Run {
   /// where a run was interrupted, one more with --more, none where it is finished.
   [[nodiscard]] RenderRounds rounds_to_make() const {
     const std::uint32_t done = journal_->finished();
-    if (options_.more) return {done, std::max(done + 1, journal_->begun())};
-    return {done, std::max({done, journal_->begun(), 1U})};
+    // What a time goal had time for is taken as it is; other rounds are mended where one is damaged.
+    const std::uint32_t kept = options_.time_s ? done : 0;
+    if (options_.more) return {kept, std::max(done + 1, journal_->begun())};
+    return {kept, std::max({done, journal_->begun(), 1U})};
   }
 
   void tell_of_journal(const RenderRounds& rounds) const {
     if (journal_->tiles_at_start() == 0) return;
-    tell(rounds.end == rounds.kept
+    tell(rounds.end == journal_->finished()
              ? std::string{"all samples were there: nothing is rendered"}
              : fmt::format("{}: {} finished tiles were there",
                            options_.more ? "extended" : "resumed", journal_->tiles_at_start()));
@@ -175,7 +177,7 @@ class Run {
     render.progress = options_.progress;
     render.store = &*journal_;
     render.rounds = rounds_to_make();
-    const bool to_sample = render.rounds.end > render.rounds.kept;
+    const bool to_sample = render.rounds.end > journal_->finished();
     TimeGoal time;
     if (options_.time_s && to_sample) {
       time = time_goal();
@@ -191,7 +193,7 @@ class Run {
       });
     });
     written_ = clock_.stage("write products", [&] { return imaging.finish(); });
-    journal_->finish(std::max(tally_.rounds, render.rounds.kept));
+    journal_->finish(std::max(tally_.rounds, render.rounds.end));
     if (!run_->scenario.products.keep_samples) journal_->discard();
   }
 

@@ -39,8 +39,10 @@ class TileWriter {
   void plane(const std::vector<Number>& values) {
     count(values.size());
     const auto* source = reinterpret_cast<const char*>(values.data());
+    bytes_.resize(bytes_.size() + values.size() * sizeof(Number));
+    char* target = bytes_.data() + bytes_.size() - values.size() * sizeof(Number);
     for (std::size_t byte = 0; byte < sizeof(Number); ++byte) {
-      for (std::size_t i = 0; i < values.size(); ++i) bytes_ += source[i * sizeof(Number) + byte];
+      for (std::size_t i = 0; i < values.size(); ++i) *target++ = source[i * sizeof(Number) + byte];
     }
   }
   template <class Item, class Each>

@@ -172,9 +172,7 @@ class WorldLoader {
       base_.air_task.reset();
     }
     if (!plan_.any.has(Effect::lamps)) base_.geometry->lamps.clear();
-    if (!plan_.any.has(Effect::motion_blur) || !plan_.any.has(Effect::psf)) {
-      base_.camera = load_camera(kept_, frame_, base_.geometry->terrain, files_);
-    }
+    drop_effects(base_.camera, plan_.by_array);
   }
 
   void load_light_and_volumes() {

@@ -34,24 +34,25 @@ double sum_over(const std::vector<BandFigures>& bands, double BandFigures::*figu
   return sum;
 }
 
-/// Bias does not depend on the number of paths: all levels' estimates, weighted by their certainty.
+/// Bias does not depend on the number of paths: all levels' estimates, weighted by their paths.
+/// (Not by the variances found: few paths that miss a rare bright one have too little of both.)
 void pool_bias(RowFigures& row) {
   for (std::size_t b = 0; b < row.bands.size(); ++b) {
-    double weight = 0.0, bias = 0.0, square_weight = 0.0, square = 0.0;
+    double weight = 0.0, bias = 0.0, variance = 0.0, square = 0.0, square_variance = 0.0;
     for (const LevelFigures& level : row.levels) {
       const BandFigures& f = level.bands[b];
-      const double w = 1.0 / std::max(1e-30, f.bias_error * f.bias_error);
-      const double s = 1.0 / std::max(1e-60, f.square_bias_error * f.square_bias_error);
-      bias += w * f.bias;
+      const double w = static_cast<double>(level.samples) * level.replicates;
       weight += w;
-      square += s * f.square_bias;
-      square_weight += s;
+      bias += w * f.bias;
+      variance += w * w * f.bias_error * f.bias_error;
+      square += w * f.square_bias;
+      square_variance += w * w * f.square_bias_error * f.square_bias_error;
     }
     RowBand& band = row.bands[b];
     band.bias = bias / weight;
-    band.bias_error = 1.0 / std::sqrt(weight);
+    band.bias_error = std::sqrt(variance) / weight;
     if (row.point.unbiased()) continue;
-    const double mean = square / square_weight, error = 1.0 / std::sqrt(square_weight);
+    const double mean = square / weight, error = std::sqrt(square_variance) / weight;
     band.pixel_bias = std::sqrt(std::max(0.0, mean));
     band.pixel_bias_limit = std::sqrt(std::max(0.0, mean) + one_sided_95 * error);
   }

@@ -24,6 +24,8 @@ constexpr int most_rounds = 64;
 constexpr int row_pilot_pixels = 8;  // by which a row's cost is told before it is measured
 // A reference of fewer paths a pixel than that is not converged for anybody.
 constexpr double wanted_reference_paths = 2048.0;
+// Writing pages and loading the encoder of pictures, and the most of a short budget for it.
+constexpr double pages_s = 0.8, pages_share = 0.12;
 // What is predicted from a few pixels may be so much too little.
 constexpr double caution = 1.15;
 
@@ -83,7 +85,8 @@ int level_limit(const StudyRecord& record) {
 }  // namespace
 
 StudySchedule schedule_of(double loaded_s, double budget_s) {
-  const double left = std::max(0.0, budget_s - loaded_s);
+  const double all = std::max(0.0, budget_s - loaded_s);
+  const double left = all - std::min(pages_s, pages_share * all);
   StudySchedule schedule;
   schedule.reference_s = loaded_s + reference_share * left;
   schedule.rows_s = schedule.reference_s + rows_share * left;
@@ -115,6 +118,7 @@ std::uint64_t level_seed(std::uint64_t seed, int samples) {
 void StudyConduct::run(StudyJournal& journal) const {
   measure_reference(journal);
   measure_rows(journal);
+  extend_rows(journal);
   confirm(journal);
 }
 
@@ -150,6 +154,17 @@ void StudyConduct::measure_rows(StudyJournal& journal) const {
     } catch (const InputError& error) {  // wavelengths or air that the scene's spectra do not serve
       const InputIssue& issue = error.issues().front();
       journal.add_skip({key_of(point.settings), issue.message}, time());
+    }
+  }
+}
+
+void StudyConduct::extend_rows(StudyJournal& journal) const {
+  const StudyResult result = analyse(journal.record());
+  for (const Recommendation& advice : result.recommendations) {
+    for (const RowFigures& row : result.rows) {
+      if (advice.reached && row.point.name == advice.row) {
+        measure_levels(row.point, schedule.rows_s, journal);
+      }
     }
   }
 }

@@ -49,6 +49,8 @@ struct StudyConduct {
  private:
   void measure_reference(StudyJournal& journal) const;
   void measure_rows(StudyJournal& journal) const;
+  /// More paths for what would be recommended, in the time that rows have left.
+  void extend_rows(StudyJournal& journal) const;
   void measure_row(const StudyPoint& point, double until_s, StudyJournal& journal) const;
   void measure_levels(const StudyPoint& point, double until_s, StudyJournal& journal) const;
   void confirm(StudyJournal& journal) const;

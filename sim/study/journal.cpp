@@ -130,6 +130,7 @@ void StudyJournal::add_header(const StudyHeader& header) {
 void StudyJournal::add_reference(StudySample round, double spent_s) {
   append(LineJson{{"kind", "reference"}, {"spent_s", spent_s}, {"sample", json_of(round)}}.dump());
   record_.reference.push_back(std::move(round));
+  record_.spent_s = spent_s;
 }
 
 void StudyJournal::add_run(StudyRun run, double spent_s) {
@@ -137,6 +138,7 @@ void StudyJournal::add_run(StudyRun run, double spent_s) {
       {"kind", "run"}, {"spent_s", spent_s}, {"key", run.key}, {"sample", json_of(run.sample)}}
              .dump());
   record_.runs.push_back(std::move(run));
+  record_.spent_s = spent_s;
 }
 
 void StudyJournal::add_confirmation(StudyRun run, double spent_s) {
@@ -146,6 +148,7 @@ void StudyJournal::add_confirmation(StudyRun run, double spent_s) {
                   {"sample", json_of(run.sample)}}
              .dump());
   record_.confirmations.push_back(std::move(run));
+  record_.spent_s = spent_s;
 }
 
 void StudyJournal::add_skip(StudySkip skip, double spent_s) {
@@ -153,11 +156,13 @@ void StudyJournal::add_skip(StudySkip skip, double spent_s) {
       LineJson{{"kind", "skip"}, {"spent_s", spent_s}, {"key", skip.key}, {"reason", skip.reason}}
           .dump());
   record_.skips.push_back(std::move(skip));
+  record_.spent_s = spent_s;
 }
 
 void StudyJournal::add_picture(StudyPicture picture, double spent_s) {
   append(LineJson{{"kind", "picture"}, {"spent_s", spent_s}, {"picture", json_of(picture)}}.dump());
   record_.pictures.push_back(std::move(picture));
+  record_.spent_s = spent_s;
 }
 
 void StudyJournal::set_array_shown(std::string name) {

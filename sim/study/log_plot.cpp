@@ -9,9 +9,9 @@
 namespace nadir::sim {
 namespace {
 
-// Units of the drawing: pixels where the page is 900 wide.
-constexpr double log_plot_width = 900.0, log_plot_height = 430.0;
-constexpr double left_px = 78.0, right_px = 210.0, top_px = 34.0, bottom_px = 54.0;
+// Units of the drawing: pixels where the page is that wide.
+constexpr double log_plot_width = 960.0, log_plot_height = 430.0;
+constexpr double left_px = 78.0, right_px = 290.0, top_px = 34.0, bottom_px = 54.0;
 constexpr double inner_width = log_plot_width - left_px - right_px;
 constexpr double inner_height = log_plot_height - top_px - bottom_px;
 

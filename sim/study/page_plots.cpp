@@ -79,7 +79,8 @@ std::string trade_plot(const StudyHeader& header, const StudyResult& result, std
   const std::string name = header.bands[bands.front()].array;
   LogPlot plot{fmt::format("Array {}: error against time (the worst of its {} band{})", name,
                            bands.size(), bands.size() == 1 ? "" : "s"),
-               fmt::format("time of the whole picture on {} threads, s", header.threads),
+               fmt::format("time of the whole picture on {} thread{}, s", header.threads,
+                           header.threads == 1 ? "" : "s"),
                "rms error of a pixel, % of its radiance",
                {}};
   plot.series.push_back(front_series(result, bands));
@@ -104,7 +105,7 @@ std::string trade_plot(const StudyHeader& header, const StudyResult& result, std
 
 std::string readable_time(double seconds) {
   if (!std::isfinite(seconds)) return "-";
-  if (seconds < 1e-3) return fmt::format("{:.2g} us", 1e6 * seconds);
+  if (seconds < 0.1) return fmt::format("{:.2g} ms", 1e3 * seconds);
   if (seconds < 1.0) return fmt::format("{:.2g} s", seconds);
   if (seconds < 20.0) return fmt::format("{:.1f} s", seconds);
   if (seconds < 48.0 * 3600.0) return readable_duration(seconds);

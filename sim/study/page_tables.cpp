@@ -77,7 +77,8 @@ std::string pixel_bias_cell(const RowFigures& row) {
   if (row.point.unbiased()) return "<td>0</td>";
   const RowBand& band =
       row.bands[worst_band(row, [](const RowBand& b) { return b.pixel_bias_limit; })];
-  if (band.pixel_bias > 0.5 * band.pixel_bias_limit) {
+  const double square = band.pixel_bias * band.pixel_bias;
+  if (square > band.pixel_bias_limit * band.pixel_bias_limit - square) {  // beyond its own margin
     return fmt::format("<td>{:.2g}</td>", 100.0 * band.pixel_bias);
   }
   return fmt::format("<td>&lt; {:.2g}</td>", 100.0 * band.pixel_bias_limit);
@@ -93,9 +94,10 @@ std::string row_line(const RowFigures& row, const StudyHeader& header, bool on_f
   const std::size_t biased = worst_band(
       row, [](const RowBand& b) { return std::abs(b.bias) / std::max(b.bias_error, 1e-12); });
   const std::size_t noisy = worst_band(row, [](const RowBand& b) { return b.path_noise; });
-  std::string html = fmt::format("<tr{}><td class=\"w\">{}<br><span class=\"sub\">{}</span></td>",
-                                 on_front ? " class=\"front\"" : "", escape_markup(row.point.name),
-                                 escape_markup(readable(row.point.settings)));
+  std::string html = fmt::format(
+      "<tr{}><td class=\"w\"><span class=\"n\">{}</span><br><span class=\"sub\">{}</span></td>",
+      on_front ? " class=\"front\"" : "", escape_markup(row.point.name),
+      escape_markup(readable(row.point.settings)));
   html += fmt::format("<td>{:.3g}</td>", 100.0 * row.bands[noisy].path_noise);
   html += bias_cell(row.bands[biased]);
   html += fmt::format("<td class=\"w\">{}</td>", escape_markup(header.bands[biased].name));
@@ -116,9 +118,9 @@ std::string recommendation_table(const StudyRecord& record, const StudyResult& r
   for (const Recommendation& advice : result.recommendations) html += recommendation_line(advice);
   html += fmt::format(
       "</table>\n<p class=\"sub\">Error: rms over pixels, of the worst of all bands. Paths: "
-      "replicates \u00D7 samples of each. Time: of all pixels on {} threads, without "
+      "replicates \u00D7 samples of each. Time: of all pixels on {} thread{}, without "
       "loading.</p>\n",
-      record.header.threads);
+      record.header.threads, record.header.threads == 1 ? "" : "s");
   return html + elements_of(result);
 }
 

@@ -14,7 +14,7 @@ constexpr int few_paths = 4;  // a replicate
 constexpr int best_replicates = 8;
 constexpr int most_reference_samples = 1024;
 // Of the pictures' time; one path and a few cost next to nothing beside these.
-constexpr double recommended_share = 0.3, reference_share_of_pictures = 0.5;
+constexpr double recommended_share = 0.25, reference_share_of_pictures = 0.4;
 
 const RowFigures* row_named(const StudyResult& result, const std::string& name) {
   for (const RowFigures& row : result.rows) {

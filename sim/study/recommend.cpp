@@ -46,6 +46,8 @@ std::string reason_for(const Recommendation& best, const RowFigures& row, std::s
   const std::string bias = row.point.unbiased()
                                ? std::string{"it has no bias"}
                                : fmt::format("its bias is below {:.2g} %", 100.0 * limit);
+  if (reached == 1)
+    return fmt::format("the only row that reaches {:g} %; {}", 100.0 * best.target, bias);
   return fmt::format("the fastest of {} rows that reach {:g} %; {}", reached, 100.0 * best.target,
                      bias);
 }

@@ -23,7 +23,7 @@ table { border-collapse: collapse; width: 100%; font-size: .86rem; margin: .6rem
   font-variant-numeric: tabular-nums; }
 th, td { padding: .28rem .55rem; text-align: right; vertical-align: top; border-bottom: 1px solid #e2e2e2; }
 th { border-bottom: 2px solid #888; font-weight: 600; } th.w, td.w { text-align: left; }
-tr.front td:first-child { font-weight: 600; } td.bad { color: #a00000; }
+tr.front td:first-child > span.n { font-weight: 600; } td { white-space: nowrap; } td.w { white-space: normal; } td.bad { color: #a00000; }
 pre { background: #f5f5f5; border: 1px solid #ddd; padding: .6rem .8rem; font-size: .82rem;
   white-space: pre-wrap; }
 svg.plot { width: 100%; height: auto; display: block; margin: .8rem 0; }
@@ -31,7 +31,7 @@ svg.plot text { font: 13px "Helvetica Neue", Helvetica, Arial, "Liberation Sans"
 svg.plot text.t { font-weight: 600; font-size: 14px; } svg.plot text.l { font-size: 14px; }
 svg.plot .g { stroke: #d6d6d6; } svg.plot .h { stroke: #f0f0f0; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 1.2rem; }
-figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; border: 1px solid #999; }
+figure { margin: 0; } figure img { width: 100%; height: auto; image-rendering: pixelated; border: 1px solid #999; }
 figcaption { font-size: .88rem; line-height: 1.4; }
 @media (max-width: 40rem) { .pictures { grid-template-columns: 1fr; } }
 @media print { body { margin: 0; max-width: none; font-size: 11pt; }
@@ -71,11 +71,11 @@ std::string introduction(const StudyRecord& record, const StudyResult& result) {
       "<p>{} ways of computing the picture were tried on {} of its {:.0f} pixels (stratified, "
       "drawn at random) in {} band{}, against a reference by the unbiased path solver with {:.0f} "
       "paths a pixel, whose own standard error is {:.2g} % in the worst band. "
-      "The study took {} of {} on {} threads ({}).</p>\n",
+      "The study took {} of {} on {} thread{} ({}).</p>\n",
       result.rows.size(), pixels, image, header.bands.size(), header.bands.size() == 1 ? "" : "s",
       result.reference.paths, 100.0 * largest(result.reference.error),
       readable_time(record.spent_s), readable_time(record.finished_budget_s), header.threads,
-      escape_markup(header.processor));
+      header.threads == 1 ? "" : "s", escape_markup(header.processor));
   return html;
 }
 

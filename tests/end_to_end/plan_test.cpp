@@ -66,8 +66,7 @@ TEST_CASE("the table of nadir plan names every effect in 120 columns", "[end_to_
 }
 
 TEST_CASE("without a pilot nothing is foretold", "[end_to_end][plan]") {
-  const Json plan =
-      Json::parse(plan_of(sim::support::ScratchFolder{}, "--no-pilot --format json"));
+  const Json plan = Json::parse(plan_of(sim::support::ScratchFolder{}, "--no-pilot --format json"));
   CHECK(plan.at("prediction").is_null());
   CHECK(plan.at("effects").size() == radiometry::effect_count);
 }

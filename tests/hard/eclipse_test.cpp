@@ -6,7 +6,8 @@
 
 #include "hard/hard_case.hpp"
 
-// The moon before the sun: as a share of the disc, and as two targets at one place of a scene's sky.
+// The moon before the sun: as a share of the disc, and as two targets at one place of a scene's
+// sky.
 
 namespace nadir::radiometry::test {
 namespace {

@@ -16,8 +16,8 @@ namespace {
 
 using nadir::support::floating_point_is_trapped;
 using nadir::support::ignore_floating_point;
-using nadir::support::WithoutTraps;
 using nadir::support::trap_floating_point;
+using nadir::support::WithoutTraps;
 
 /// Whether the call of Embree under way came from code that traps.
 thread_local bool ours_traps = false;

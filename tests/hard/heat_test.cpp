@@ -16,11 +16,11 @@
 namespace nadir::thermal::test {
 namespace {
 
-/// Absorbs a load and radiates as a black body into 0 K.
+/// Absorbs a load and radiates as a black body into a sky of 3 K.
 struct RadiatingFlux {
   double load_w_m2 = 0.0;
   SurfaceFlux operator()(double /*time_s*/, double t) const {
-    return {load_w_m2 - si::stefan_boltzmann * t * t * t * t,
+    return {load_w_m2 - si::stefan_boltzmann * (t * t * t * t - 81.0),
             -4.0 * si::stefan_boltzmann * t * t * t};
   }
 };
@@ -54,7 +54,7 @@ TEST_CASE("a foil of 1e-6 m takes the temperature of radiative balance within on
   for (const double load : {1e-3, 1.0, 1000.0, 5e5}) {
     Run run{foil, {}, 3600.0, 290.0};
     for (int i = 0; i < 60; ++i) run.advance(RadiatingFlux{load});
-    const double balance = std::pow(load / si::stefan_boltzmann, 0.25);
+    const double balance = std::pow(load / si::stefan_boltzmann + 81.0, 0.25);
     CAPTURE(load);
     CHECK(run.surface_k() == Approx(balance).epsilon(1e-3));
     check_within_range(run);
@@ -97,18 +97,17 @@ TEST_CASE("from 2.7 K and from 2000 K a surface finds the same balance", "[hard]
   CHECK(ends[1] == Approx(balance).epsilon(digits));
 }
 
-TEST_CASE("loads of 1e9 W m^-2 either way end at 2000 K and 2.7 K and are told",
+TEST_CASE("a column under 1e9 W m^-2 either way leaves 2.7 to 2000 K, stays finite, and says so",
           "[hard][heat]") {
   const double load = GENERATE(1e9, -1e9);
   for (const double thickness_m : {1e-6, 0.1}) {
     Run run{{{{{1.0, 1000.0, 1000.0}, thickness_m, 0.0}}, AdiabaticBack{}}, {}, 600.0, 290.0};
     bool told = false;
     for (int i = 0; i < 50; ++i) {
-      const StepFlux done =
-          run.advance([&](double, double) { return SurfaceFlux{load, 0.0}; });
+      const StepFlux done = run.advance([&](double, double) { return SurfaceFlux{load, 0.0}; });
       told = told || !done.within_range;
-      check_within_range(run);
     }
+    for (const double k : run.temperature) CHECK(std::isfinite(k));
     CAPTURE(load, thickness_m);
     CHECK(told);
   }
@@ -157,8 +156,9 @@ TEST_CASE("a surface that takes and gives nothing keeps its temperature, one of 
   }
 }
 
-TEST_CASE("layers without thickness, conductivity or capacity are refused, and so are infinite ones",
-          "[hard][heat]") {
+TEST_CASE(
+    "layers without thickness, conductivity or capacity are refused, and so are infinite ones",
+    "[hard][heat]") {
   const double infinite = std::numeric_limits<double>::infinity(), nothing = std::nan("");
   for (const double bad : {0.0, -1.0, infinite, nothing}) {
     CAPTURE(bad);

@@ -45,8 +45,7 @@ TEST_CASE("Planck: finite, not negative and growing from 0 K to 1e5 K, 1 nm to 1
   }
 }
 
-TEST_CASE("Planck: 3 K at 0.3 um is exactly 0, as a float lane and as a double",
-          "[hard][planck]") {
+TEST_CASE("Planck: 3 K at 0.3 um is exactly 0, as a float lane and as a double", "[hard][planck]") {
   CHECK(planck(0.3_um, 3.0_K).value == 0.0);  // exp(-16000): no floating-point number holds it
   CHECK(planck(Lanes{{0.3_um, 14.0_um}}, 3.0_K)[0] == 0.0F);
   CHECK(planck_derivative(0.3_um, 3.0_K) == 0.0);

@@ -74,7 +74,8 @@ TEST_CASE("a ray within a surface, along its plane, is told the same whoever ask
               scene.material(grey(0.5), 300.0_K));
     scene.add_body(90.0, 0.0, 0.266, 1000.0);
     scene.sky(1.0);
-    const auto seen = hard_measure(scene.build(), both, {{-20.0, 0.1, height_m}, {1.0, 0.0, 0.0}}, 4, 4);
+    const auto seen =
+        hard_measure(scene.build(), both, {{-20.0, 0.1, height_m}, {1.0, 0.0, 0.0}}, 4, 4);
     CAPTURE(height_m, name_of(method));
     check_sane(seen);
   }
@@ -86,7 +87,8 @@ TEST_CASE("mirror and glitter at exactly 90 degrees of incidence stay finite",
     for (const double zenith_deg : {89.999, 89.9999999, 90.0}) {
       SmallScene scene;
       scene.method = method;
-      scene.add(geometry::Plane{{}, 1e6, 1e6}, scene.material(scaled(materials::Mirror{}, 1.0), 300.0_K));
+      scene.add(geometry::Plane{{}, 1e6, 1e6},
+                scene.material(scaled(materials::Mirror{}, 1.0), 300.0_K));
       scene.add_body(90.0, 0.0, 0.266, 1000.0);
       scene.sky(1.0);
       const auto seen = hard_measure(scene.build(), both, slanted({}, zenith_deg, 10.0), 4, 16);

@@ -20,7 +20,7 @@ using namespace spectral;
 void check_quadrature(const Response& response, int count) {
   check(response);
   const BandQuadrature band = gauss_quadrature(response, count);
-  const Support ends = support(response);
+  const Support ends = spectral::support(response);
   const double sum = std::accumulate(band.weights.begin(), band.weights.end(), 0.0);
   CHECK(sum == Approx(1.0).epsilon(1e-13));
   for (std::size_t i = 0; i < band.weights.size(); ++i) {
@@ -48,9 +48,8 @@ TEST_CASE("a response of one wavelength, 1 nm down to 2e-9 of it wide, is a band
         check_quadrature(BoxResponse{Micrometres{at_um}, Micrometres{at_um + width_um}}, count);
         check_quadrature(GaussianResponse{Micrometres{at_um}, Micrometres{width_um}}, count);
         check_quadrature(
-            TabulatedResponse{Curve{{at_um - width_um, at_um, at_um + width_um},
-                                    {0.0, 1.0, 0.0},
-                                    Outside::zero}},
+            TabulatedResponse{
+                Curve{{at_um - width_um, at_um, at_um + width_um}, {0.0, 1.0, 0.0}, Outside::zero}},
             count);
       }
     }
@@ -81,7 +80,7 @@ TEST_CASE("a laser line's band sees the radiance at the line, as a radiance per 
 TEST_CASE("a response without width, without a positive value or with NaN is refused",
           "[hard][spectra]") {
   const double nothing = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-  const support::WithoutTraps compares_nan;
+  const nadir::support::WithoutTraps compares_nan;
   CHECK_THROWS_AS(check(BoxResponse{0.5_um, 0.5_um}), InputError);
   CHECK_THROWS_AS(check(BoxResponse{0.5_um, 0.4_um}), InputError);
   CHECK_THROWS_AS(check(BoxResponse{Micrometres{nothing}, 0.4_um}), InputError);

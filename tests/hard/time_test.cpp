@@ -117,8 +117,9 @@ TEST_CASE("the sun does not jump at a leap second where UT1 - UTC is given on ei
 TEST_CASE("the first and last second of 1900 to 2100 have a sun, those beyond are refused",
           "[hard][time]") {
   const Site site{-33.0, 151.0, 10.0};
-  for (const char* text : {"1900-01-01T00:00:00Z", "1959-12-31T23:59:59.999999999Z",
-                           "1960-01-01T00:00:00Z", "2100-02-28T23:59:59Z", "2100-12-31T23:59:59Z"}) {
+  for (const char* text :
+       {"1900-01-01T00:00:00Z", "1959-12-31T23:59:59.999999999Z", "1960-01-01T00:00:00Z",
+        "2100-02-28T23:59:59Z", "2100-12-31T23:59:59Z"}) {
     CAPTURE(text);
     const SunAndMoon seen = sun_and_moon(utc(text), site);
     check_sane(seen.sun);

@@ -255,7 +255,8 @@ TEST_CASE("without interreflection light from a volume is not reflected by a sur
       geometry::Region{geometry::Box{{-200.0, -200.0, 1.0}, {200.0, 200.0, 15.0}}, Affine{}};
   small.volumes = {haze};
   const geometry::Ray below{{0.0, 0.0, 0.5}, {0.0, 0.0, -1.0}};
-  const auto all = measure_effects(small.build(), midwave, below, EffectSet::all(), 4, method == Method::path ? 200 : 4);
+  const auto all = measure_effects(small.build(), midwave, below, EffectSet::all(), 4,
+                                   method == Method::path ? 200 : 4);
   CHECK(all.lanes[0].mean > 0.0);
   CHECK(all.counters.volume_events > 0);
   const EffectSet once = EffectSet::all().without(Effect::interreflection);

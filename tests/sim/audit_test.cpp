@@ -42,7 +42,7 @@ void forge_dropped(PreparedRun& run, Effect effect) {
 
 AuditReport audited(SmallRun& small, std::optional<int> pixels, double run_cpu_s = 1000.0) {
   std::vector<StageTime> stages = small.clock.stages();
-  stages.push_back({"render", run_cpu_s, run_cpu_s});
+  stages.push_back({"other work", run_cpu_s, run_cpu_s});
   return audit_run({small.request, small.run, stages, 8.0, 1, pixels}, small.diagnostics);
 }
 
@@ -126,8 +126,7 @@ TEST_CASE("what nobody dropped is not audited", "[sim][audit]") {
   CHECK(audited(small, 0).verdict == "no audit was asked for");
 }
 
-TEST_CASE("an audit that would cost more than its share is not made, and says so",
-          "[sim][audit]") {
+TEST_CASE("an audit that would cost more than its share is not made, and says so", "[sim][audit]") {
   SmallRun small{{}};
   forge_dropped(small.run, Effect::solar_reflection);
   const AuditReport report = audited(small, {}, 1e-9);  // a run of no time

@@ -19,8 +19,8 @@ TEST_CASE("an accuracy is a percentage or a fraction", "[sim][options]") {
 }
 
 TEST_CASE("what is no accuracy is refused", "[sim][options]") {
-  const std::string text =
-      GENERATE("", "%", "0", "0%", "-1%", "101%", "1.5", "nan", "inf", "1%%", "1 % 2", "one", "1,5%");
+  const std::string text = GENERATE("", "%", "0", "0%", "-1%", "101%", "1.5", "nan", "inf", "1%%",
+                                    "1 % 2", "one", "1,5%");
   CAPTURE(text);
   CHECK_THROWS_AS(parse_accuracy(text), InputError);
 }
@@ -36,16 +36,18 @@ TEST_CASE("a time has units in their order, or is seconds", "[sim][options]") {
 }
 
 TEST_CASE("what is no time is refused", "[sim][options]") {
-  const std::string text = GENERATE("", "0", "-5s", "5m", "30min1h", "1h30", "s", "1s1s", "nan", "inf",
-                                    "9000h", "1e99", "10 min later", "5 S");
+  const std::string text = GENERATE("", "0", "-5s", "5m", "30min1h", "1h30", "s", "1s1s", "nan",
+                                    "inf", "9000h", "1e99", "10 min later", "5 S");
   CAPTURE(text);
   CHECK_THROWS_AS(parse_duration(text), InputError);
 }
 
 TEST_CASE("a refused time says what is expected", "[sim][options]") {
-  CHECK(support::message_of([] { return parse_duration("5m"); }).find(
-            "expected a time above 0 and at most a year, as 60s, 10min, 1h30min or 90 (seconds), "
-            "found \"5m\"") != std::string::npos);
+  CHECK(
+      support::message_of([] { return parse_duration("5m"); })
+          .find(
+              "expected a time above 0 and at most a year, as 60s, 10min, 1h30min or 90 (seconds), "
+              "found \"5m\"") != std::string::npos);
 }
 
 TEST_CASE("seconds are written as people do", "[sim][options]") {

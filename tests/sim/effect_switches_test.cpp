@@ -54,7 +54,7 @@ Solved solved(const std::vector<EffectSet>& effects) {
   const sim::Scenario scenario = two_arrays();
   sim::World world = sim::load_world(scenario, files, diagnostics);
   const sim::ReportValues values =
-      sim::finish_air(world, scenario.sampling, diagnostics, {.on = false}, effects);
+      sim::finish_air(world, scenario.sampling, diagnostics, {false, {}}, effects);
   Solved result;
   for (const auto& [name, value] : values) {
     if (name == "beam_solves") result.beams = std::get<std::int64_t>(value);

@@ -22,8 +22,9 @@ SmallScenario stripes() {
       R"(<material name="black" reflectance="0"/><material name="white" reflectance="0.8"/>)";
   scenario.geometry = R"(<plane material="black" size_x_m="200" size_y_m="200"/>)";
   for (int i = -6; i < 6; ++i) {
-    scenario.geometry += "<plane material=\"white\" size_x_m=\"0.5\" size_y_m=\"200\" up_m=\"0.001\"" +
-                         std::string{" east_m=\""} + std::to_string(i + 0.25) + "\"/>";
+    scenario.geometry +=
+        "<plane material=\"white\" size_x_m=\"0.5\" size_y_m=\"200\" up_m=\"0.001\"" +
+        std::string{" east_m=\""} + std::to_string(i + 0.25) + "\"/>";
   }
   return scenario;
 }

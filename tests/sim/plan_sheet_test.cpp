@@ -128,8 +128,7 @@ TEST_CASE("a plan with hundreds of bands stays a page and says what it does not 
   CHECK(std::count(text.begin(), text.end(), '\n') < 60);
 }
 
-TEST_CASE("the JSON of a plan has bounds by array and band, and null for infinity",
-          "[sim][plan]") {
+TEST_CASE("the JSON of a plan has bounds by array and band, and null for infinity", "[sim][plan]") {
   EffectPlan plan = plan_of_nothing();
   of(plan, Effect::volumes).bound = {{infinite, 0.5}, {0.0}};
   PlanSheet sheet = sheet_of(plan);

@@ -99,6 +99,22 @@ TEST_CASE("means over intervals see what lies between nodes", "[sim][wavelengths
   CHECK(nodes.of(4) == Approx(0.01).epsilon(0.1));  // the line's share, all of which is missed
 }
 
+TEST_CASE("a node's value counts times the mean of its interval", "[sim][wavelengths]") {
+  // x known at nodes times x known by intervals, over [1, 2] with three of Gauss's nodes: the
+  // intervals are cut where 5/18 and 13/18 of the band are.
+  BandLight light;
+  light.functions = {[](double x) { return x; }};
+  light.products = {{{0}, {0}}};
+  light.pixels = {{{0}}};
+  const Response response = box(1.0, 2.0);
+  BandErrors errors{response, light};
+  const double node = 0.5 * std::sqrt(0.6), mean = 0.5 - 2.5 / 18.0;  // from the middle
+  const double three = 5.0 / 18.0 * ((1.5 - node) * (1.5 - mean) + (1.5 + node) * (1.5 + mean)) +
+                       4.0 / 9.0 * 1.5 * 1.5;
+  // 1e-3 of the error: 6 times what the trapezoid rule leaves of 7/3, h^2 / 6.
+  CHECK(errors.of(3) == Approx(1.0 - three * 3.0 / 7.0).epsilon(1e-3));
+}
+
 TEST_CASE("Planck's law at 300 K and a red edge get the wavelengths that they need",
           "[sim][wavelengths]") {
   const auto planck =

@@ -2,9 +2,9 @@
 
 namespace nadir::support {
 
-/// Whether this build can be trusted with traps: g++ keeps operations that a condition guards behind
-/// it (-ftrapping-math is its default), clang computes both sides of a condition at once and the
-/// sanitizers' own arithmetic is not ours.
+/// Whether this build can be trusted with traps: g++ keeps operations that a condition guards
+/// behind it (-ftrapping-math is its default), clang computes both sides of a condition at once and
+/// the sanitizers' own arithmetic is not ours.
 [[nodiscard]] bool traps_are_honest() noexcept;
 
 /// Invalid operations, divisions by zero and overflows raise SIGFPE in this thread, from here on.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/run/image.hpp"
+#include "sim/run/sampling_goal.hpp"
+
+namespace nadir::sim {
+
+/// Paths that a pixel needs to meet the goals of all bands, by the error s that is stated after N
+/// paths:
+///
+///     need = N max over bands (s / goal)^2
+///
+/// as the variance of a mean falls with 1/N. A band whose goal is 0 or whose error is no number
+/// asks for nothing.
+[[nodiscard]] double paths_needed(const ArrayImage& image, std::size_t pixel,
+                                  const std::vector<BandGoal>& goals);
+
+/// The mean over all pixels.
+[[nodiscard]] double mean_need(const ArrayImage& image, const std::vector<BandGoal>& goals);
+
+/// States the errors of a pixel no smaller than those of one with this need:
+/// goal sqrt(need / N) in every band, brightness temperatures in proportion.
+void state_need(ArrayImage& image, std::size_t pixel, const std::vector<BandGoal>& goals,
+                double need);
+
+}  // namespace nadir::sim
