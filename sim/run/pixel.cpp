@@ -95,15 +95,13 @@ void PixelRenderer::begin_pixel(int sample, int line) {
   for (auto* sums : {&path_, &emission_}) {
     for (auto& sum : *sums) sum = spectral::SpectrumSum{sum.count()};
   }
-  least_paths_ = 0.0;
   std::fill(found_.begin(), found_.end(), Estimate{0.0, 0.0});
 }
 
 void PixelRenderer::render(int sample, int line, ArrayImage& strip, const PixelOrder& order) {
   begin_pixel(sample, line);
-  least_paths_ = order.least_paths;
   if (!order.samples) {
-    sample_as_asked();
+    sample_as_asked(order);
   } else if (*order.samples > 0) {
     sample_to(*order.samples);
     judge();
@@ -113,7 +111,7 @@ void PixelRenderer::render(int sample, int line, ArrayImage& strip, const PixelO
 
 void PixelRenderer::measure(int sample, int line, PixelMeasure& found) {
   begin_pixel(sample, line);
-  sample_as_asked();
+  sample_as_asked({});
   found.bands = found_;
   found.replicates.resize(found_.size());
   for (std::size_t band = 0; band < found_.size(); ++band) {
@@ -123,30 +121,33 @@ void PixelRenderer::measure(int sample, int line, PixelMeasure& found) {
   found.paths = paths();
 }
 
-void PixelRenderer::sample_as_asked() {
-  if (options_->goal != nullptr) return sample_to_goal();
+void PixelRenderer::sample_as_asked(const PixelOrder& order) {
+  if (options_->goal != nullptr) return sample_to_goal(order);
   sample_to(options_->sampling.samples_per_replicate);
   judge();
 }
 
-void PixelRenderer::sample_to_goal() {
+void PixelRenderer::sample_to_goal(const PixelOrder& order) {
   const SamplingGoal& goal = *options_->goal;
+  const int most = order.first_look ? std::max(1, goal.first_samples) : goal.most_samples;
   // The first look comes at half the least number, so that two agree when a pixel is done with it.
   int next = std::max(1, goal.first_samples / 2);
-  while (samples_ < goal.most_samples) {
-    sample_to(std::min(next, goal.most_samples));
+  while (samples_ < most) {
+    sample_to(std::min(next, most));
     judge();
     next = 2 * samples_;
-    if (samples_ < goal.first_samples || !meets_goal()) continue;
+    if (samples_ < goal.first_samples || paths() < order.least_paths || !meets_goal()) continue;
     // Where all replicates are equal, either nothing is random or something rare was not seen yet.
-    const bool all_equal = std::all_of(found_.begin(), found_.end(),
-                                       [](const Estimate& e) { return e.standard_error == 0.0; });
-    if (!all_equal || samples_ >= 2 * goal.first_samples) return;
+    if (!all_equal() || samples_ >= 2 * goal.first_samples) return;
   }
 }
 
+bool PixelRenderer::all_equal() const {
+  return std::all_of(found_.begin(), found_.end(),
+                     [](const Estimate& e) { return e.standard_error == 0.0; });
+}
+
 bool PixelRenderer::meets_goal() const {
-  if (paths() < least_paths_) return false;
   const auto& goals = options_->goal->bands[job_->number];
   for (std::size_t band = 0; band < found_.size(); ++band) {
     const Estimate& found = found_[band];

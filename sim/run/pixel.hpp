@@ -59,6 +59,7 @@ struct PixelOrder {
   /// options is met or, without one, as often as they say.
   std::optional<int> samples{};
   double least_paths = 0.0;  ///< with a goal: it gets no fewer, though it meets that sooner
+  bool first_look = false;   ///< with a goal: it gets the least number of samples, met or not
 };
 
 /// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and
@@ -77,8 +78,8 @@ class PixelRenderer {
 
  private:
   void begin_pixel(int sample, int line);
-  void sample_as_asked();
-  void sample_to_goal();
+  void sample_as_asked(const PixelOrder& order);
+  void sample_to_goal(const PixelOrder& order);
   /// More samples of every replicate, up to a number.
   void sample_to(int samples);
   /// One path: adds what it saw to the sums of all blocks.
@@ -92,6 +93,7 @@ class PixelRenderer {
   /// What is known of the bands after the present samples, errors stated as the options ask.
   void judge();
   [[nodiscard]] bool meets_goal() const;
+  [[nodiscard]] bool all_equal() const;
   [[nodiscard]] std::uint32_t paths() const {
     return static_cast<std::uint32_t>(replicates_) * static_cast<std::uint32_t>(samples_);
   }
@@ -113,7 +115,6 @@ class PixelRenderer {
   int sample_ = 0, line_ = 0, samples_ = 0;  // of the present pixel
   std::vector<Estimate> found_;              // one a band
   std::vector<ErrorStatement> errors_;       // one a band
-  double least_paths_ = 0.0;                 // of the present pixel
 };
 
 }  // namespace nadir::sim

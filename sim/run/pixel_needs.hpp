@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/run/image.hpp"
 #include "sim/run/sampling_goal.hpp"
+#include "spectral/band_quadrature.hpp"
 
 namespace nadir::sim {
 
@@ -18,12 +20,17 @@ namespace nadir::sim {
 [[nodiscard]] double paths_needed(const ArrayImage& image, std::size_t pixel,
                                   const std::vector<BandGoal>& goals);
 
-/// The mean over all pixels.
-[[nodiscard]] double mean_need(const ArrayImage& image, const std::vector<BandGoal>& goals);
+/// The mean over all pixels, of each no more than the most that it would be given.
+[[nodiscard]] double mean_need(const ArrayImage& image, const std::vector<BandGoal>& goals,
+                               double most_paths);
 
-/// States the errors of a pixel no smaller than those of one with this need:
-/// goal sqrt(need / N) in every band, brightness temperatures in proportion.
+struct PixelNeed {
+  double paths = 0.0;
+  std::span<const spectral::BandQuadrature> quadratures{};  ///< for brightness temperatures
+};
+/// States the errors of a pixel no smaller than those of one with this need: goal sqrt(need / N) in
+/// every band.
 void state_need(ArrayImage& image, std::size_t pixel, const std::vector<BandGoal>& goals,
-                double need);
+                const PixelNeed& stated_need);
 
 }  // namespace nadir::sim

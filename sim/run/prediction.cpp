@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/products/preview.hpp"
 #include "sim/run/tiles.hpp"
 
 namespace nadir::sim {
@@ -134,10 +135,13 @@ int threads_of(const PredictionBasis& basis) {
   return basis.threads > 0 ? std::min(basis.threads, available_threads()) : available_threads();
 }
 
-/// A band's pixel that is written costs about as much whatever it is: measured, with the disk's
-/// cache, on 800 x 520 pixels of 8 bands and 960 x 624 of one (docs/plan-and-audit.md).
-constexpr double envi_s = 12e-9, exr_s = 60e-9, truth_s = 0.9e-6, quick_look_s = 0.25e-6;
-constexpr double truth_exr_s = 0.5e-6, geotiff_s = 60e-9, netcdf_s = 60e-9;
+/// What a pixel takes until it is written, by band and in all: measured, with the disk's cache, on
+/// 1024 x 1024 pixels of 4 and of 16 bands (docs/plan-and-audit.md).
+constexpr double envi_s = 90e-9, exr_s = 60e-9, geotiff_s = 170e-9, netcdf_s = 250e-9;
+constexpr double truth_s = 0.1e-6, truth_exr_s = 0.5e-6, quick_look_s = 0.25e-6;
+/// Likewise what is held of a whole image while its last products are made, in bytes.
+constexpr double quick_look_bytes = 140.0;                   // a pixel of the preview
+constexpr double geotiff_bytes = 16.0, netcdf_bytes = 26.0;  // a pixel and band
 
 double product_seconds(const PreparedRun& run) {
   const ProductsInput& wanted = run.scenario.products;
@@ -153,18 +157,26 @@ double product_seconds(const PreparedRun& run) {
   return seconds;
 }
 
-/// Planes of the strips of the largest array, one that is rendered and one that is written, on top
-/// of what is held now.
-double strip_bytes(const PreparedRun& run) {
+/// Planes of two strips of the array, one that is rendered and one that is written, and what its
+/// last products hold.
+double array_bytes(const sensor::DetectorArray& array, const ProductsInput& wanted) {
   constexpr double strip_pixels = 1 << 17;
-  constexpr double band_bytes = 4.0 * sizeof(float), pixel_bytes = 16.0 * sizeof(float) + 32.0;
+  constexpr double band_bytes = 5.0 * sizeof(float), truth_bytes = 16.0 * sizeof(float) + 32.0;
+  const double bands = static_cast<double>(array.bands.size());
+  const double all = static_cast<double>(array.samples) * static_cast<double>(array.lines);
+  const double strip = std::min(all, std::max(strip_pixels, 16.0 * array.samples));
+  const double preview = std::min(all, static_cast<double>(most_preview_pixels));
+  return 2.0 * strip * (band_bytes * bands + (wanted.truth ? truth_bytes : 0.0)) +
+         (wanted.quick_look ? quick_look_bytes * preview : 0.0) +
+         all * bands *
+             std::max(wanted.geotiff ? geotiff_bytes : 0.0, wanted.netcdf ? netcdf_bytes : 0.0);
+}
+
+/// Of the largest array: one is made after the other.
+double image_bytes(const PreparedRun& run) {
   double most = 0.0;
   for (const sensor::DetectorArray& array : run.world.camera.arrays) {
-    const double all = static_cast<double>(array.samples) * static_cast<double>(array.lines);
-    const double pixels = std::min(all, std::max(strip_pixels, 16.0 * array.samples));
-    const double bytes = band_bytes * static_cast<double>(array.bands.size()) +
-                         (run.scenario.products.truth ? pixel_bytes : 0.0);
-    most = std::max(most, 2.0 * pixels * bytes);
+    most = std::max(most, array_bytes(array, run.scenario.products));
   }
   return most;
 }
@@ -211,7 +223,7 @@ Prediction predict(const PredictionBasis& basis, const Pilot& pilot) {
   prediction.render_cpu_s = path_seconds(pixels);
   prediction.render_s = prediction.render_cpu_s / (threads_of(basis) * threads_efficiency);
   prediction.seconds = fixed_s + prediction.render_s;
-  prediction.memory_bytes = static_cast<double>(peak_memory_bytes()) + strip_bytes(run);
+  prediction.memory_bytes = static_cast<double>(peak_memory_bytes()) + image_bytes(run);
   prediction.mean_paths = all > 0.0 ? paths / all : no_number;
   prediction.seconds_per_path = pilot.paths > 0.0 ? pilot.cpu_s / pilot.paths : no_number;
   prediction.pilot_pixels = pilot.pixels.size();

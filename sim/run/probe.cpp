@@ -45,7 +45,7 @@ std::vector<std::unique_ptr<ArrayJob>> jobs_of(const World& world, const RenderO
 }
 
 /// Every place as a tile of one pixel, whose `array` is the place's number.
-std::vector<Tile> tiles_of(std::span<const PixelPlace> places) {
+std::vector<Tile> tiles_of_places(std::span<const PixelPlace> places) {
   std::vector<Tile> tiles;
   for (std::size_t i = 0; i < places.size(); ++i) {
     tiles.push_back({static_cast<int>(i), places[i].sample, places[i].line, 1, 1});
@@ -94,7 +94,7 @@ ProbeResult probe_pixels(const World& world, const RenderOptions& options,
   result.pixels.resize(places.size());
   std::mutex mutex;
   const auto start = std::chrono::steady_clock::now();
-  for_each_tile(tiles_of(places), render.threads, [&](const Tile& tile) {
+  for_each_tile(tiles_of_places(places), render.threads, [&](const Tile& tile) {
     const auto number = static_cast<std::size_t>(tile.array);
     radiometry::Counters counters;
     result.pixels[number] = probe(*jobs[static_cast<std::size_t>(places[number].array)], render,

@@ -35,7 +35,7 @@ std::size_t count_tiles(const Camera& camera, const RenderOptions& options) {
   std::size_t tiles = 0;
   for (const sensor::DetectorArray& array : camera.arrays) {
     for (const Strip& strip : cut_into_strips(array.samples, array.lines, tile_edge)) {
-      tiles += cut_into_tiles(0, array.samples, strip.lines, tile_edge).size();
+      tiles += tiles_of(array, strip).size();
     }
   }
   return tiles * std::max(1U, options.rounds.end);

@@ -19,39 +19,64 @@ std::vector<Tile> shuffled(std::vector<Tile> tiles) {
   return tiles;
 }
 
+/// Small enough to keep all processors busy to the end, large enough that a tile outweighs its
+/// solvers' construction: 16 pixels, fewer in small images, where each pixel may get many paths.
+int edge_of_tiles(const sensor::DetectorArray& array) {
+  constexpr double enough_tiles = 128.0;
+  const double pixels = static_cast<double>(array.samples) * array.lines;
+  int edge = tile_edge;
+  while (edge > 2 && pixels / (edge * edge) < enough_tiles) edge /= 2;
+  return edge;
+}
+
 /// So many samples a replicate that a further round has as many as the former ones had on average.
 int samples_again(const ArrayImage& known, std::size_t pixel, std::uint32_t round, int replicates) {
   const auto all = round * static_cast<unsigned>(replicates);
   return static_cast<int>(std::max(1U, known.paths_of(pixel) / all));
 }
 
-/// What pixels of a tile say about each other.
+/// Samples the pixels of a tile to their goal, in which they learn from each other.
 ///
-/// A pixel that met nothing rare has no way to know of it: where one path in 200 finds a furnace,
-/// 64 paths see none in 7 pixels of 10, which end with small errors that are wrong. Others of the
-/// tile saw it. Therefore no pixel gets fewer paths than the tile's pixels need on average, and its
-/// error is stated no smaller than that of a pixel with this need. The mean of all needs is at most
-/// added to every one of them, so that this costs no more than the pixels' own needs do.
-void agree_with_neighbours(PixelRenderer& pixels, const std::vector<BandGoal>& goals,
-                           ArrayImage& tile) {
-  constexpr int most_passes = 3;  // what is sampled again may have seen more
-  double least = 0.0;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    least = std::max(least, mean_need(tile, goals));
-    bool again = false;
-    for (std::size_t pixel = 0; pixel < tile.pixels(); ++pixel) {
-      if (tile.pixel_paths[pixel] >= least) continue;
-      const auto width = static_cast<std::size_t>(tile.samples);
-      pixels.render(tile.first_sample + static_cast<int>(pixel % width),
-                    tile.first_line + static_cast<int>(pixel / width), tile, {{}, least});
-      again = true;
+/// A pixel that met nothing rare has no way to know of it: where one path in 2000 finds a furnace,
+/// 64 paths see none in 97 pixels of 100, which end with small errors that are wrong. Others of the
+/// tile saw it. Therefore all pixels get a first look of equally many paths, after which the mean
+/// of what they seem to need is unbiased, however unevenly it was found; no pixel gets fewer paths
+/// than that, nor is its error stated smaller than that of a pixel with this need. It costs at most
+/// as much again as the pixels' own needs.
+class TileToGoal {
+ public:
+  TileToGoal(PixelRenderer& pixels, const ArrayJob& job, const SamplingGoal& goal, ArrayImage& tile)
+      : pixels_{&pixels},
+        job_{&job},
+        goals_{&goal.bands[job.number]},
+        most_paths_{static_cast<double>(goal.replicates) * goal.most_samples},
+        tile_{&tile} {}
+
+  void sample() {
+    for (std::size_t i = 0; i < tile_->pixels(); ++i) render(i, {.first_look = true});
+    const double least = mean_need(*tile_, *goals_, most_paths_);
+    for (std::size_t i = 0; i < tile_->pixels(); ++i) {
+      const double paths = tile_->pixel_paths[i];
+      // The planes' floats round: 1e-6 is no need.
+      const bool met = paths_needed(*tile_, i, *goals_) <= paths * (1.0 + 1e-6);
+      if (!met || paths < least) render(i, {.least_paths = least});
+      state_need(*tile_, i, *goals_, {least, job_->plan.quadratures});
     }
-    if (!again) break;
   }
-  for (std::size_t pixel = 0; pixel < tile.pixels(); ++pixel) {
-    state_need(tile, pixel, goals, least);
+
+ private:
+  void render(std::size_t pixel, const PixelOrder& order) {
+    const auto width = static_cast<std::size_t>(tile_->samples);
+    pixels_->render(tile_->first_sample + static_cast<int>(pixel % width),
+                    tile_->first_line + static_cast<int>(pixel / width), *tile_, order);
   }
-}
+
+  PixelRenderer* pixels_;
+  const ArrayJob* job_;
+  const std::vector<BandGoal>* goals_;
+  double most_paths_;
+  ArrayImage* tile_;
+};
 
 }  // namespace
 
@@ -61,11 +86,16 @@ std::uint64_t paths_in(const ArrayImage& image) {
   return paths;
 }
 
+std::vector<Tile> tiles_of(const sensor::DetectorArray& array, const Strip& strip) {
+  auto tiles = cut_into_tiles(0, array.samples, strip.lines, edge_of_tiles(array));
+  for (Tile& tile : tiles) tile.first_line += strip.first_line;
+  return tiles;
+}
+
 StripRenderer::StripRenderer(const ArrayJob& job, const Strip& strip, const RenderOptions& options,
                              RenderProgress& progress)
     : job_{&job}, strip_{strip}, options_{&options}, progress_{&progress} {
-  tiles_ = cut_into_tiles(static_cast<int>(job.number), job.array->samples, strip.lines, tile_edge);
-  for (Tile& tile : tiles_) tile.first_line += strip.first_line;
+  tiles_ = tiles_of(*job.array, strip);
   if (options.time != nullptr) tiles_ = shuffled(std::move(tiles_));
 }
 
@@ -82,6 +112,12 @@ void StripRenderer::count(const radiometry::Counters& counters) {
   }
 }
 
+std::size_t StripRenderer::pixel_of(int sample, int line) const {
+  return static_cast<std::size_t>(line - strip_.first_line) *
+             static_cast<std::size_t>(job_->array->samples) +
+         static_cast<std::size_t>(sample);
+}
+
 ArrayImage StripRenderer::compute(const TileKey& key, const RoundOrder& order,
                                   radiometry::Counters& counters) const {
   const bool first = order.known == nullptr;
@@ -89,8 +125,19 @@ ArrayImage StripRenderer::compute(const TileKey& key, const RoundOrder& order,
                                  *options_, first);
   PixelRenderer pixels{
       *job_, *options_, {round_key(options_->seed, job_->number, order.round), first}};
-  for (int line = key.first_line; line < key.first_line + key.lines; ++line) {
-    for (int sample = key.first_sample; sample < key.first_sample + key.samples; ++sample) {
+  if (options_->goal != nullptr && order.samples.empty()) {
+    TileToGoal{pixels, *job_, *options_->goal, image}.sample();
+  } else {
+    render_as_ordered(pixels, order, image);
+  }
+  counters = pixels.counters();
+  return image;
+}
+
+void StripRenderer::render_as_ordered(PixelRenderer& pixels, const RoundOrder& order,
+                                      ArrayImage& image) const {
+  for (int line = image.first_line; line < image.first_line + image.lines; ++line) {
+    for (int sample = image.first_sample; sample < image.first_sample + image.samples; ++sample) {
       PixelOrder wanted;
       if (!order.samples.empty()) {
         wanted.samples = order.samples[static_cast<std::size_t>(line - strip_.first_line) *
@@ -100,11 +147,6 @@ ArrayImage StripRenderer::compute(const TileKey& key, const RoundOrder& order,
       pixels.render(sample, line, image, wanted);
     }
   }
-  if (options_->goal != nullptr && order.samples.empty()) {
-    agree_with_neighbours(pixels, options_->goal->bands[job_->number], image);
-  }
-  counters = pixels.counters();
-  return image;
 }
 
 ArrayImage StripRenderer::tile(const Tile& tile, const RoundOrder& order) {

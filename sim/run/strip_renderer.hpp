@@ -48,8 +48,10 @@ class StripRenderer {
 
  private:
   [[nodiscard]] ArrayImage tile(const Tile& tile, const RoundOrder& order);
+  [[nodiscard]] std::size_t pixel_of(int sample, int line) const;  // in the strip
   [[nodiscard]] ArrayImage compute(const TileKey& key, const RoundOrder& order,
                                    radiometry::Counters& counters) const;
+  void render_as_ordered(PixelRenderer& pixels, const RoundOrder& order, ArrayImage& image) const;
   void count(const radiometry::Counters& counters);
 
   const ArrayJob* job_;
@@ -60,9 +62,11 @@ class StripRenderer {
   std::atomic<std::uint64_t> computed_paths_{0};
 };
 
-/// Edge of a tile, pixels: small enough to keep all processors busy to the end, large enough that a
-/// tile outweighs its solvers' construction a thousand times.
+/// Edge of a tile, pixels, at the most. Strips are whole rows of such tiles.
 inline constexpr int tile_edge = 16;
+
+/// The tiles of a strip of an array.
+[[nodiscard]] std::vector<Tile> tiles_of(const sensor::DetectorArray& array, const Strip& strip);
 
 /// Paths of all pixels.
 [[nodiscard]] std::uint64_t paths_in(const ArrayImage& image);

@@ -103,6 +103,14 @@ std::uint32_t take_kept(RoundsInTime& rounds, const ArrayJob& job, const RenderO
   }
 }
 
+/// No pixel may hold up the end: of the paths that the strip's time is good for, on one thread, a
+/// pixel gets at most a hundredth in a round.
+int most_samples(const RenderOptions& options, double paths_of_strip) {
+  const int threads = options.threads > 0 ? options.threads : available_threads();
+  const double most = 0.01 * paths_of_strip / threads / options.goal->replicates;
+  return static_cast<int>(std::clamp(most, 1.0, static_cast<double>(options.goal->most_samples)));
+}
+
 void tell_progress(const RenderOptions& options, const StripTime& time) {
   if (!options.progress) return;
   constexpr double steps = 1000.0;
