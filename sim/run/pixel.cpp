@@ -129,7 +129,7 @@ void PixelRenderer::sample_as_asked(const PixelOrder& order) {
 
 void PixelRenderer::sample_to_goal(const PixelOrder& order) {
   const SamplingGoal& goal = *options_->goal;
-  const int most = order.first_look ? std::max(1, goal.first_samples) : goal.most_samples;
+  const int most = order.most_samples > 0 ? order.most_samples : goal.most_samples;
   // The first look comes at half the least number, so that two agree when a pixel is done with it.
   int next = std::max(1, goal.first_samples / 2);
   while (samples_ < most) {

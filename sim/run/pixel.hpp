@@ -59,7 +59,7 @@ struct PixelOrder {
   /// options is met or, without one, as often as they say.
   std::optional<int> samples{};
   double least_paths = 0.0;  ///< with a goal: it gets no fewer, though it meets that sooner
-  bool first_look = false;   ///< with a goal: it gets the least number of samples, met or not
+  int most_samples = 0;      ///< with a goal: a replicate, met or not; 0: those of the goal
 };
 
 /// Renders the pixels of an array one by one. One for each thread or tile: it owns the solvers and

@@ -1,6 +1,7 @@
 #include "sim/run/strip_renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/random.hpp"
@@ -39,22 +40,17 @@ int samples_again(const ArrayImage& known, std::size_t pixel, std::uint32_t roun
 ///
 /// A pixel that met nothing rare has no way to know of it: where one path in 2000 finds a furnace,
 /// 64 paths see none in 97 pixels of 100, which end with small errors that are wrong. Others of the
-/// tile saw it. Therefore all pixels get a first look of equally many paths, after which the mean
-/// of what they seem to need is unbiased, however unevenly it was found; no pixel gets fewer paths
+/// tile saw it. Therefore all pixels are looked at with equally many paths, after which the mean of
+/// what they seem to need is unbiased, however unevenly it was found; no pixel gets fewer paths
 /// than that, nor is its error stated smaller than that of a pixel with this need. It costs at most
 /// as much again as the pixels' own needs.
 class TileToGoal {
  public:
   TileToGoal(PixelRenderer& pixels, const ArrayJob& job, const SamplingGoal& goal, ArrayImage& tile)
-      : pixels_{&pixels},
-        job_{&job},
-        goals_{&goal.bands[job.number]},
-        most_paths_{static_cast<double>(goal.replicates) * goal.most_samples},
-        tile_{&tile} {}
+      : pixels_{&pixels}, job_{&job}, goal_{&goal}, goals_{&goal.bands[job.number]}, tile_{&tile} {}
 
   void sample() {
-    for (std::size_t i = 0; i < tile_->pixels(); ++i) render(i, {.first_look = true});
-    const double least = mean_need(*tile_, *goals_, most_paths_);
+    const double least = look();
     for (std::size_t i = 0; i < tile_->pixels(); ++i) {
       const double paths = tile_->pixel_paths[i];
       // The planes' floats round: 1e-6 is no need.
@@ -65,7 +61,23 @@ class TileToGoal {
   }
 
  private:
-  void render(std::size_t pixel, const PixelOrder& order) {
+  /// Looks with more and more paths until the mean need is not far beyond them: far beyond, it is
+  /// that of a few pixels with large needs, each cut off at the most that it would be given.
+  double look() const {
+    constexpr double far_beyond = 8.0, share_of_need = 0.25;
+    double samples = first_look(*goal_, tile_->pixels());
+    for (;;) {
+      for (std::size_t i = 0; i < tile_->pixels(); ++i) {
+        render(i, {.least_paths = samples * goal_->replicates,
+                   .most_samples = static_cast<int>(samples)});
+      }
+      const double most = static_cast<double>(goal_->most_samples) * goal_->replicates;
+      const double need = mean_need(*tile_, *goals_, most) / goal_->replicates;
+      if (!(need > far_beyond * samples)) return need * goal_->replicates;
+      samples = std::floor(share_of_need * need);
+    }
+  }
+  void render(std::size_t pixel, const PixelOrder& order) const {
     const auto width = static_cast<std::size_t>(tile_->samples);
     pixels_->render(tile_->first_sample + static_cast<int>(pixel % width),
                     tile_->first_line + static_cast<int>(pixel / width), *tile_, order);
@@ -73,12 +85,20 @@ class TileToGoal {
 
   PixelRenderer* pixels_;
   const ArrayJob* job_;
+  const SamplingGoal* goal_;
   const std::vector<BandGoal>* goals_;
-  double most_paths_;
   ArrayImage* tile_;
 };
 
 }  // namespace
+
+int first_look(const SamplingGoal& goal, std::size_t pixels) {
+  // Small tiles make up for it: of what one path in 500 finds, some is seen.
+  constexpr double least_paths_of_tile = 2048.0;
+  const double each = least_paths_of_tile / (static_cast<double>(pixels) * goal.replicates);
+  return std::clamp(static_cast<int>(std::ceil(each)), std::max(1, goal.first_samples),
+                    std::max(1, goal.most_samples));
+}
 
 std::uint64_t paths_in(const ArrayImage& image) {
   std::uint64_t paths = 0;

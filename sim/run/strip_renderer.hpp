@@ -68,6 +68,10 @@ inline constexpr int tile_edge = 16;
 /// The tiles of a strip of an array.
 [[nodiscard]] std::vector<Tile> tiles_of(const sensor::DetectorArray& array, const Strip& strip);
 
+/// Samples a replicate that every pixel of a tile gets at first when it is sampled to a goal.
+/// @param pixels  of the tile
+[[nodiscard]] int first_look(const SamplingGoal& goal, std::size_t pixels);
+
 /// Paths of all pixels.
 [[nodiscard]] std::uint64_t paths_in(const ArrayImage& image);
 

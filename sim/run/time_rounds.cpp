@@ -168,7 +168,8 @@ ArrayImage render_until(StripRenderer& strip, const ArrayJob& job, const RenderO
       const bool last = left_s < worth_two_rounds * time.all_s();
       const PathBudget budget{
           in_time.cost().paths_in((last ? share_of_last : share_of_round) * left_s),
-          goal.replicates, goal.most_samples, options.time->stop_at_goal ? 0.98 : 0.0};
+          goal.replicates, most_samples(options, in_time.cost().paths_in(time.all_s())),
+          options.time->stop_at_goal ? 0.98 : 0.0};
       order.samples =
           samples_for_budget(image, errors_over_goals(image, goal.bands[job.number]), budget);
     } else {
