@@ -122,7 +122,12 @@ class Audit {
       pixels += static_cast<double>(array.samples) * static_cast<double>(array.lines);
     }
     const double share = pixels > 0.0 ? std::min(1.0, first_audited / pixels) : 0.0;
-    return (1.0 + dearer) * share * stage_cpu(request_.stages, {"render"});
+    const SamplingInput audited = sampling();
+    const double of_paths =
+        run_.goal && request_.mean_paths > 0.0
+            ? audited.replicates * audited.samples_per_replicate / request_.mean_paths
+            : 1.0;
+    return (1.0 + dearer) * share * of_paths * stage_cpu(request_.stages, {"render"});
   }
 
   /// Leaves out what does not fit into the time allowed, and says so.
@@ -156,8 +161,8 @@ class Audit {
     for (const Effect effect : effects) {
       left_out_ = left_out_.with(effect);
       report_.not_audited.push_back(fmt::format(
-          "{}: {} takes about {} of processor time, more than {:.2g} % of the run's {}; "
-          "--audit 200 does it",
+          "{}: {} takes about {} of processor time, for which {:.2g} % of the run's {} do not "
+          "suffice; --audit 200 does it",
           name_of(effect), what, duration_text(cost_s), 100.0 * request_.most_share,
           duration_text(all_cpu(request_.stages))));
     }
@@ -234,7 +239,9 @@ class Audit {
     const double spent_s = all_cpu(clock_.stages());
     const double a_pixel_s =
         std::max(clock_.stages().back().cpu_s, 1e-6) / static_cast<double>(report_.pixels);
-    const double more = std::min<double>(most_audited, (allowed_cpu_s() - spent_s) / a_pixel_s);
+    constexpr double cautious = 0.8;  // pixels differ, and the first few are a small sample
+    const double more =
+        std::min<double>(most_audited, cautious * (allowed_cpu_s() - spent_s) / a_pixel_s);
     if (more >= 1.0) look(static_cast<int>(more), mix(seed_, 1));
   }
 

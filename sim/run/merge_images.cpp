@@ -89,8 +89,10 @@ void merge(ArrayImage& into, const ArrayImage& other,
     band.electrons.clear();
     band.noise.clear();
   }
-  into.pixel_paths = shares.all;
+  // Where all pixels of both have as many, one number says it.
+  const bool alike = into.pixel_paths.empty() && other.pixel_paths.empty();
   into.paths = shares.all.empty() ? 0 : *std::max_element(shares.all.begin(), shares.all.end());
+  if (!alike) into.pixel_paths = shares.all;
 }
 
 }  // namespace nadir::sim

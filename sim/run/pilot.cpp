@@ -14,6 +14,7 @@ constexpr int first_pixels = 16;
 // 7 degrees of freedom: a pixel's variance is known to 50 %, the mean of 100 pixels' to 5 %.
 constexpr int pilot_replicates = 8;
 constexpr int pilot_samples = 2;  // the least that a goal's first round has
+constexpr int most_pilot_samples = 64;
 // Pixels of the pilot have numbers of their own, apart from the audit's.
 constexpr std::uint64_t pilot_salt = 0x70696C6F74ULL;
 
@@ -75,19 +76,24 @@ Pilot run_pilot(const World& world, const RenderOptions& options, const PilotOpt
   few.store = nullptr;
   few.progress = nullptr;
   Pilot pilot;
-  pilot.replicates = pilot_replicates;
-  pilot.samples_per_replicate = pilot_samples;
   const std::uint64_t seed = mix(options.seed, pilot_salt);
   const auto first = random_pixels(world, std::min(first_pixels, limits.most_pixels), seed);
   if (first.empty()) return pilot;
   look_at(world, few, first, diagnostics, pilot);
   std::set<PixelName> seen;
   for (const PixelPlace& place : first) seen.insert(name_of_pixel(place));
-  const double spent_s = std::max(2.0 * pilot.cpu_s + pilot.first_touch_s, 1e-9);
-  const double more =
-      std::min(limits.most_pixels - static_cast<double>(first.size()),
-               (limits.most_cpu_s / spent_s - 1.0) * static_cast<double>(first.size()));
+  const double left_s = limits.most_cpu_s - 2.0 * pilot.cpu_s - pilot.first_touch_s;
+  const double path_s = std::max(pilot.cpu_s + 0.5 * pilot.first_touch_s, 1e-9) / pilot.paths;
+  const double paths = left_s / path_s;  // that there is time for
+  const double more = std::min(limits.most_pixels - static_cast<double>(first.size()),
+                               paths / (pilot_replicates * pilot_samples));
   if (more >= 1.0) {
+    // Rare bright paths are seen by many only: time that is left once there are pixels enough goes
+    // there, and shows as well what stratified points gain over random ones.
+    int& samples = few.sampling.samples_per_replicate;
+    while (samples < most_pilot_samples && 2.0 * samples * pilot_replicates * more <= paths) {
+      samples *= 2;
+    }
     const auto rest = new_pixels(world, static_cast<int>(more), mix(seed, 1), seen);
     if (!rest.empty()) look_at(world, few, rest, diagnostics, pilot);
   }

@@ -15,7 +15,6 @@ struct PilotOptions {
 /// What a few random pixels, sampled with few paths, say of a picture.
 struct Pilot {
   std::vector<ProbedPixel> pixels;
-  int replicates = 0, samples_per_replicate = 0;  ///< of every pixel
   std::vector<double> seconds_per_path;  ///< by array, of one processor; NaN: no pixel of it seen
   radiometry::Counters counters;
   double paths = 0.0;  ///< of all pixels
@@ -27,7 +26,7 @@ struct Pilot {
 
 /// Samples random pixels of a finished world, a few at first, then as many as time allows.
 /// @param options  of the render: its effects, plan, bending and seed; its sampling and goal are
-///                 replaced by 8 replicates of 2 paths
+///                 replaced by 8 replicates of 2 to 64 paths
 [[nodiscard]] Pilot run_pilot(const World& world, const RenderOptions& options,
                               const PilotOptions& limits, Diagnostics& diagnostics);
 

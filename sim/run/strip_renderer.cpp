@@ -96,8 +96,8 @@ int first_look(const SamplingGoal& goal, std::size_t pixels) {
   // Small tiles make up for it: of what one path in 500 finds, some is seen.
   constexpr double least_paths_of_tile = 2048.0;
   const double each = least_paths_of_tile / (static_cast<double>(pixels) * goal.replicates);
-  return std::clamp(static_cast<int>(std::ceil(each)), std::max(1, goal.first_samples),
-                    std::max(1, goal.most_samples));
+  const int samples = std::max(static_cast<int>(std::ceil(each)), goal.first_samples);
+  return std::min(samples, std::max(1, goal.most_samples));
 }
 
 std::uint64_t paths_in(const ArrayImage& image) {

@@ -111,7 +111,7 @@ TEST_CASE("a visible picture by day solves nothing and reads no weather", "[end_
   write_file(folder / "w.csv", "this is no weather\n");
   scenario.heat = "<heat><weather_file file=\"" + (folder / "w.csv").string() + "\"/></heat>";
   const HeatRun run = run_heat(scenario);
-  CHECK(run.report.find("\"heat\"") == std::string::npos);
+  CHECK(run.report.find("\n  \"heat\": {") == std::string::npos);
   CHECK(run.report.find("w.csv") == std::string::npos);
   CHECK(run.report.find("sunlight_at_ground") == std::string::npos);
   CHECK(std::isnan(run.temperature_k.at(0)));  // the truth plane: nobody asked

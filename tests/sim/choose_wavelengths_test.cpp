@@ -149,10 +149,12 @@ TEST_CASE("only spectra of what is simulated need wavelengths", "[sim][wavelengt
 
 TEST_CASE("a scenario may leave the number of wavelengths to the planner", "[sim][wavelengths]") {
   Diagnostics diagnostics;
+  const support::ScratchFolder folder;
+  write_spectra(folder / "spectra.csv");
   const auto nodes_of = [&](const std::string& sampling) {
     std::string text = plates(sun + no_air, hard_bands);
     text.insert(text.find("</scenario>"), sampling);
-    return parse_scenario(text, "plates.xml", diagnostics).sampling.wavelengths_per_band;
+    return parse_scenario(text, folder / "plates.xml", diagnostics).sampling.wavelengths_per_band;
   };
   CHECK(nodes_of(R"(<sampling wavelengths_per_band="auto"/>)") == BandNodes{0});
   CHECK(nodes_of(R"(<sampling wavelengths_per_band="32"/>)") == BandNodes{32});

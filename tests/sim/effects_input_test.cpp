@@ -71,7 +71,7 @@ TEST_CASE("mistakes in effects and accuracy are told with the nearest name",
           "[scenario][effects]") {
   CHECK(mistake_of("<effects solar_reflexion=\"on\"/>").find("solar_reflection") !=
         std::string::npos);
-  CHECK(mistake_of("<effects psf=\"yes\"/>").find("auto, on, off") != std::string::npos);
+  CHECK(mistake_of("<effects psf=\"yes\"/>").find("auto or on or off") != std::string::npos);
   CHECK_FALSE(mistake_of("<effects/><effects/>").empty());
   CHECK_FALSE(mistake_of("<accuracy relative_percent=\"0\"/>").empty());
   CHECK_FALSE(mistake_of("<accuracy relative_percent=\"101\"/>").empty());

@@ -46,7 +46,9 @@ TEST_CASE("a pilot looks at as many pixels as it may, each once", "[sim][pilot]"
   const Pilot pilot = pilot_of(small, 1000);
   CHECK(pilot.pixels.size() <= 64);
   CHECK(pilot.pixels.size() >= 16);
-  CHECK(pilot.paths == 16.0 * static_cast<double>(pilot.pixels.size()));
+  // 16 to 512 a pixel, as time allows.
+  CHECK(pilot.paths >= 16.0 * static_cast<double>(pilot.pixels.size()));
+  CHECK(pilot.paths <= 512.0 * static_cast<double>(pilot.pixels.size()));
   CHECK(pilot.counters.primary_rays == static_cast<std::uint64_t>(pilot.paths));
   REQUIRE(pilot.seconds_per_path.size() == 1);
   CHECK(pilot.seconds_per_path[0] > 0.0);
