@@ -58,12 +58,23 @@ if(NADIR_SANITIZE_THREAD)
   target_link_options(nadir_compiler INTERFACE -fsanitize=thread)
 endif()
 
-# Sources of a target eight at a time as one: headers and templates, most of the time of a build, are
-# then read once for eight. For builds from scratch; the plain build shows that every source
-# includes what it needs. Sources with options of their own stay alone. Targets with names that two
-# sources define are left out.
+# Sources of a target some at a time as one (eight if nothing else is said): headers and templates,
+# most of the time of a build, are then read once for all of them. For builds from scratch; the plain
+# build shows that every source includes what it needs. Sources with options of their own stay alone.
+# Targets with names that two sources define are left out.
 function(nadir_unity target)
-  if(NADIR_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set(batch 8)
+  if(ARGC GREATER 1)
+    set(batch ${ARGV1})
   endif()
+  if(NADIR_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+  endif()
+endfunction()
+
+# Through a precompiled header g++ 12 warns of array bounds and overflows inside std::string where
+# there is nothing to warn of (without one it does not); clang and the sanitizers watch for real ones.
+function(nadir_precompiled_for_gnu target)
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
 endfunction()

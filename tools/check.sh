@@ -4,12 +4,13 @@
 #   tools/check.sh [--fast | --all | --threads] [--no-setup]
 #
 # Format, include directions, build with warnings as errors, all tests, the tests again under the
-# address and undefined-behaviour sanitizers. --fast leaves the sanitizers out; --all adds the long
-# tests, the thread sanitizer and clang-tidy over every source, which takes longer than all the
-# rest: run it before a release. --threads does the thread sanitizer's part and nothing else.
-# Works in build-check/, build-sanitize/ and build-threads/, never in build/. Every step runs even where an earlier
-# one failed; the exit status is 0 only if all passed. Run again, it builds, tests and lints only
-# what changed, except that the tests of the release build always run.
+# address and undefined-behaviour sanitizers, some seconds of the fuzzers of readers. --fast leaves
+# sanitizers and fuzzers out; --all adds the long tests, the thread sanitizer and clang-tidy over
+# every source, which takes longer than all the rest: run it before a release. --threads does the
+# thread sanitizer's part and nothing else.
+# Works in build-check/, build-sanitize/ and build-threads/, never in build/. Every step runs even
+# where an earlier one failed; the exit status is 0 only if all passed. Run again, it builds, tests
+# and lints only what changed, except that the tests of the release build always run.
 set -u
 # shellcheck source=tools/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -74,12 +75,14 @@ for name in sys.argv[1:]:
 ' && say "every script parses"
 }
 
-# build FOLDER OPTIONS...: configures on the first run; ninja notices later changes by itself.
+# build FOLDER OPTIONS...: configures on the first run and after other options; ninja notices later
+# changes by itself.
 build() {
   local folder="$1"
   shift
-  if [ ! -f "$folder/build.ninja" ]; then
+  if [ ! -f "$folder/build.ninja" ] || [ "$(cat "$folder/.options" 2>/dev/null)" != "$*" ]; then
     cmake -S . -B "$folder" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
+    printf '%s' "$*" >"$folder/.options"
   fi
   # -k 0: all errors at once, and as much of the rest as there is to test
   cmake --build "$folder" -- -k 0
@@ -148,9 +151,12 @@ step test tests build-check -LE long
 if [ "$fast" = no ]; then
   # By clang: every change is seen by both compilers, and it takes half of g++'s time.
   step sanitize build build-sanitize -DCMAKE_CXX_COMPILER=clang++-14 \
-    -DNADIR_SANITIZE=ON -DNADIR_UNITY=ON -DNADIR_WERROR=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    -DNADIR_SANITIZE=ON -DNADIR_FUZZ=ON -DNADIR_UNITY=ON -DNADIR_WERROR=ON \
+    -DCMAKE_BUILD_TYPE=RelWithDebInfo \
     -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" # lines in reports; -O0 compiles faster, runs slower
   step santest sanitized_tests
+  # Longer by hand after a change to a reader: tools/fuzz.sh build-sanitize 300
+  step fuzz tools/fuzz.sh build-sanitize 3
 fi
 if [ "$all" = yes ]; then
   step long tests build-check -L long

@@ -136,7 +136,8 @@ def floors_of(nadir: str, scenario: pathlib.Path) -> np.ndarray:
     done = subprocess.run([nadir, "plan", str(scenario), "--format", "json", "--no-pilot"],
                           check=True, capture_output=True, text=True)
     plan = json.loads(done.stdout)
-    return np.array([band["floor_radiance"] for a in plan["budget"] for band in a["bands"]])
+    floors = plan["budget"]["floor_radiance_w_m2_sr_um"]
+    return np.array([floor for bands in floors.values() for floor in bands.values()])
 
 
 def all_on() -> str:

@@ -38,6 +38,7 @@ void print_plan(const PlanOptions& options) {
   request.seed = options.seed;
   request.accuracy = options.goal.accuracy;
   request.time_s = options.goal.time_s;
+  request.solve = !options.no_pilot;
   const PreparedRun run = prepare_run(request, clock, diagnostics);
   std::optional<Pilot> pilot;
   if (!options.no_pilot) {

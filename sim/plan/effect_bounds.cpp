@@ -65,9 +65,21 @@ double brightest(const BoundContext& c) {
   return after_reflections(direct + lamp_light(c) + diffuse + own, c);
 }
 
+/// The greatest radiance that a surface reflects, whatever it emits.
+double brightest_reflection(const BoundContext& c) {
+  const BandFacts& b = c.band;
+  const double direct = directly_reflected(b.sun_irradiance + b.moon_irradiance, c);
+  const double about = b.sky_scattering + b.sky_emission + b.lamp_radiance +
+                       product(b.greatest_emissivity, b.warmest_emission);
+  return after_reflections(direct + directly_reflected(b.lamp_irradiance, c) +
+                               product(b.greatest_reflectance, about),
+                           c);
+}
+
+/// Light reflected twice and more: what one surface reflects, reflected by another.
 double interreflection(const BoundContext& c) {
   if (c.scene.one_convex_surface) return 0.0;
-  return of_surface(product(c.band.greatest_reflectance, brightest(c)), c);
+  return of_surface(product(c.band.greatest_reflectance, brightest_reflection(c)), c);
 }
 
 double leaf_transmission(const BoundContext& c) {

@@ -109,7 +109,7 @@ double ground_reflectance(const AirTask& task, const BandFacts& band) {
   return std::isfinite(stated) ? stated : 1.0;
 }
 
-void add_scattering(const AirTask& task, const BandLight& light, const AirSurroundings& about,
+void add_scattering(const AirTask& task, const BandIrradiance& light, const AirSurroundings& about,
                     BandFacts& band) {
   const atmosphere::Layered& layers = task.layered->air;
   const ParticleDepth particles{layers};
@@ -139,7 +139,7 @@ void add_scattering(const AirTask& task, const BandLight& light, const AirSurrou
   band.least_sky_scattering = std::isfinite(least) ? least : 0.0;
 }
 
-void add_layered(const AirTask& task, const BandLight& light, const AirSurroundings& about,
+void add_layered(const AirTask& task, const BandIrradiance& light, const AirSurroundings& about,
                  BandFacts& band) {
   const BandEnds ends{band.lo_um, band.hi_um};
   add_scattering(task, light, about, band);
@@ -158,8 +158,8 @@ void add_layered(const AirTask& task, const BandLight& light, const AirSurroundi
 
 }  // namespace
 
-void add_air_light(const atmosphere::Atmosphere& air, const AirTask* task, const BandLight& light,
-                   const AirSurroundings& about, BandFacts& band) {
+void add_air_light(const atmosphere::Atmosphere& air, const AirTask* task,
+                   const BandIrradiance& light, const AirSurroundings& about, BandFacts& band) {
   if (task != nullptr && task->layered) {
     add_layered(*task, light, about, band);
   } else {

@@ -17,7 +17,7 @@ struct BodyHeight {
 };
 
 /// Irradiance outside the air at wavelengths of a band, W m^-2 um^-1.
-struct BandLight {
+struct BandIrradiance {
   std::vector<double> wavelengths_um;
   std::vector<double> sun, moon;  ///< one a wavelength
 };
@@ -34,7 +34,7 @@ struct AirSurroundings {
 /// forms (light_envelope.hpp) with its own particles and pressure; its gases, and a table from
 /// elsewhere, may take away and emit all there is: infinity where a table's light is asked for.
 /// @param task  of air that is still to be solved; null: none
-void add_air_light(const atmosphere::Atmosphere& air, const AirTask* task, const BandLight& light,
-                   const AirSurroundings& about, BandFacts& band);
+void add_air_light(const atmosphere::Atmosphere& air, const AirTask* task,
+                   const BandIrradiance& light, const AirSurroundings& about, BandFacts& band);
 
 }  // namespace nadir::sim

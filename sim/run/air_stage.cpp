@@ -193,8 +193,11 @@ std::optional<RayBending> camera_bending(const World& world, ReportValues& repor
   const std::optional<BendingShift> shift = bending_shift(world);
   if (!shift) return std::nullopt;
   report.emplace_back("refraction_shift_pixels", shift->pixels);
-  report.emplace_back("rays_bend", shift->noticeable());
-  if (!shift->noticeable()) return std::nullopt;
+  const auto& decision =
+      world.effects.decisions[radiometry::index_of(radiometry::Effect::refraction)];
+  const bool bend = shift->noticeable() || decision.asked == EffectState::on;
+  report.emplace_back("rays_bend", bend);
+  if (!bend) return std::nullopt;
   return shift->bending;
 }
 

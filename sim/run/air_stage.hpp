@@ -28,8 +28,9 @@ ReportValues finish_air(World& world, const SamplingInput& sampling, Diagnostics
                         std::span<const radiometry::EffectSet> effects = {});
 
 /// The bending of the camera's rays, where the scenario asks for it and it shifts what some array
-/// sees by a tenth of a pixel or more; otherwise rays are straight, and nothing is spent on it. One
-/// wavelength stands for all: the mean of the camera's.
+/// sees by a tenth of a pixel or more, or where the scenario says that refraction is on; otherwise
+/// rays are straight, and nothing is spent on it. One wavelength stands for all: the mean of the
+/// camera's.
 /// @param report  told of the shift
 [[nodiscard]] std::optional<RayBending> camera_bending(const World& world, ReportValues& report);
 

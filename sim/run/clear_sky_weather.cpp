@@ -35,7 +35,7 @@ constexpr double default_ground_reflectance = 0.2;
 constexpr double cold_sky_w_m2 = 1.0;
 
 /// Light, and what of the air comes with it.
-struct AirLight {
+struct ClearAirLight {
   ClearSkyLight light;
   double pressure_hpa = 1013.25;
   bool sky_follows_air = true;
@@ -89,8 +89,8 @@ std::vector<thermal::SunMoment> sun_moments(const Scenario& scenario, double fro
 
 // ---- light of each kind of air ------------------------------------------------------------------
 
-AirLight layered_light(const Scenario& scenario, const Curve& sun, InputFiles& files,
-                       Diagnostics& diagnostics) {
+ClearAirLight layered_light(const Scenario& scenario, const Curve& sun, InputFiles& files,
+                            Diagnostics& diagnostics) {
   const auto task = load_air_task(scenario, files, diagnostics);
   return at_element(task->where, [&] {
     const atmosphere::Layered& air = task->layered->air;
@@ -99,7 +99,7 @@ AirLight layered_light(const Scenario& scenario, const Curve& sun, InputFiles& f
         scenario.heat ? scenario.heat->ground_reflectance.value_or(default_ground_reflectance)
                       : default_ground_reflectance;
     auto fluxes = atmosphere::broadband_fluxes(air, settings, sun);
-    AirLight made;
+    ClearAirLight made;
     made.light = {std::move(fluxes.cos_zenith), std::move(fluxes.direct_normal_w_m2),
                   std::move(fluxes.diffuse_horizontal_w_m2), fluxes.sky_long_wave_w_m2,
                   fluxes.air_k};
@@ -152,8 +152,8 @@ ClearSkyLight even_light(const EvenLight& even) {
   return light;
 }
 
-AirLight uniform_light(const UniformAir& air, const ClearSkyInput& input, const Curve& sun,
-                       InputFiles& files, Diagnostics& diagnostics) {
+ClearAirLight uniform_light(const UniformAir& air, const ClearSkyInput& input, const Curve& sun,
+                            InputFiles& files, Diagnostics& diagnostics) {
   const auto read = [&](const SpectralInput& from, SpectrumQuantity quantity) {
     return curve_of(from, quantity, spectral::Outside::reject, files);
   };
@@ -174,7 +174,7 @@ AirLight uniform_light(const UniformAir& air, const ClearSkyInput& input, const 
           "uniform air is given for one height of the sun: the heat balance has the same direct "
           "sunlight and sky from sunrise to sunset (hint: air in layers knows better)",
           diagnostics);
-  AirLight made;
+  ClearAirLight made;
   made.light = even_light({whole(direct), whole(diffuse), long_wave});
   made.sky_follows_air = false;
   return made;
@@ -187,23 +187,23 @@ class LightOfAir {
              InputFiles& files, Diagnostics& diagnostics)
       : scenario_{scenario}, input_{input}, sun_{sun}, files_{files}, diagnostics_{diagnostics} {}
 
-  [[nodiscard]] AirLight operator()(const NoAir& /*air*/) const {
-    AirLight made;
+  [[nodiscard]] ClearAirLight operator()(const NoAir& /*air*/) const {
+    ClearAirLight made;
     const double outside = sun_.mean(solar_from, solar_to) * (solar_to - solar_from).value;
     made.light = even_light({outside, 0.0, cold_sky_w_m2});
     made.pressure_hpa = standard_pressure(scenario_.origin.height_m);
     made.sky_follows_air = false;
     return made;
   }
-  [[nodiscard]] AirLight operator()(const UniformAir& air) const {
-    AirLight made = uniform_light(air, input_, sun_, files_, diagnostics_);
+  [[nodiscard]] ClearAirLight operator()(const UniformAir& air) const {
+    ClearAirLight made = uniform_light(air, input_, sun_, files_, diagnostics_);
     made.pressure_hpa = standard_pressure(scenario_.origin.height_m);
     return made;
   }
-  [[nodiscard]] AirLight operator()(const LayeredAir& /*air*/) const {
+  [[nodiscard]] ClearAirLight operator()(const LayeredAir& /*air*/) const {
     return layered_light(scenario_, sun_, files_, diagnostics_);
   }
-  [[nodiscard]] AirLight operator()(const TableAir& air) const {
+  [[nodiscard]] ClearAirLight operator()(const TableAir& air) const {
     warn_at(air.where,
             "a table of the air knows the light of its own wavelengths alone: the heat balance's "
             "clear sky is that of the US standard atmosphere with rural haze of 23 km",
@@ -250,7 +250,7 @@ thermal::Weather clear_sky_weather_of(const Scenario& scenario, const ClearSkyIn
         {}}};
   }
   const Curve sun = sun_outside(*sky, input, files, diagnostics);
-  const AirLight air =
+  const ClearAirLight air =
       std::visit(LightOfAir{scenario, input, sun, files, diagnostics}, scenario.air);
   const double from_s = -moment_step_s * std::ceil(history_s / moment_step_s);
   return at_element(input.where, [&] {

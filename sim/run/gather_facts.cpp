@@ -143,9 +143,9 @@ double moonlight(const BodyFacts& moon, Micrometres wavelength) {
 }
 
 /// Outside the air, at nine wavelengths of the band: envelopes are smooth.
-BandLight band_light(const SkyFacts& sky, const BandFacts& band) {
+BandIrradiance band_light(const SkyFacts& sky, const BandFacts& band) {
   constexpr int count = 9;
-  BandLight light;
+  BandIrradiance light;
   for (int i = 0; i < count; ++i) {
     const double um = band.lo_um + (band.hi_um - band.lo_um) * i / (count - 1.0);
     light.wavelengths_um.push_back(um);
@@ -277,7 +277,7 @@ class FactGatherer {
     facts.coldest_emission = least_planck(ends, warmth_.coldest);
     facts.warmest_emission = greatest_planck(ends, warmth_.warmest);
     facts.warmest_solved_emission = greatest_planck(ends, warmth_.warmest_solved);
-    const BandLight light = band_light(sky_, facts);
+    const BandIrradiance light = band_light(sky_, facts);
     if (sky_.sun.there) facts.sun_irradiance = greatest(light.sun);
     if (sky_.moon.there) facts.moon_irradiance = greatest(light.moon);
     add_lamps(views_[index], facts);

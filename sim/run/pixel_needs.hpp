@@ -33,4 +33,10 @@ struct PixelNeed {
 void state_need(ArrayImage& image, std::size_t pixel, const std::vector<BandGoal>& goals,
                 const PixelNeed& stated_need);
 
+/// States no pixel's error smaller than that of one which needs half of what the pixels of its
+/// block of 8 x 8 need on average: a pixel whose replicates happen to agree is not done before its
+/// neighbours are nearly so. Pixels without paths stay as they are.
+void state_needs_of_blocks(ArrayImage& image, const std::vector<BandGoal>& goals,
+                           std::span<const spectral::BandQuadrature> quadratures);
+
 }  // namespace nadir::sim

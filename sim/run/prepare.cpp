@@ -13,8 +13,8 @@
 namespace nadir::sim {
 namespace {
 
-// Of the accuracy that is asked for, the wavelengths may spend half beside the sampling: docs/wavelengths.md
-// shows how fast their number grows.
+// Of the accuracy that is asked for, the wavelengths may spend half beside the sampling:
+// docs/wavelengths.md shows how fast their number grows.
 constexpr double wavelengths_share = 0.5;
 
 SamplingGoal goal_of(const EffectPlan& effects) {
@@ -65,9 +65,12 @@ void check(const PreparedRun& run, Diagnostics& diagnostics) {
   check_view(run.world, diagnostics);
 }
 
-void solve(PreparedRun& run, std::uint64_t seed, StageClock& clock, Diagnostics& diagnostics) {
+void solve(PreparedRun& run, const RunRequest& request, StageClock& clock,
+           Diagnostics& diagnostics) {
   World& world = run.world;
-  if (world.heat) clock.stage("heat", [&] { solve_heat_ahead(world, seed); });
+  if (world.heat && request.heat_ahead) {
+    clock.stage("heat", [&] { solve_heat_ahead(world, request.seed); });
+  }
   if (world.air) {
     clock.stage("air", [&] {
       run.air = finish_air(world, run.sampling, diagnostics, {}, world.effects.by_array);
@@ -103,7 +106,7 @@ PreparedRun prepare_run(const RunRequest& request, StageClock& clock, Diagnostic
   check(run, diagnostics);
   if (request.checked) request.checked();
   run.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, run.scenario); });
-  solve(run, request.seed, clock, diagnostics);
+  if (request.solve) solve(run, request, clock, diagnostics);
   run.bias = bias_terms(run.world.facts, run.world.effects, solver, wavelength_errors,
                         air_table_error(run.world));
   for (const auto& array : run.bias) {

@@ -32,6 +32,10 @@ struct RunRequest {
   std::function<void(Scenario&)> edit{};
   /// Called when everything is read and found right, before temperatures and air are solved.
   std::function<void()> checked{};
+  /// Temperatures are solved ahead for every pixel, as a whole picture needs them; otherwise when a
+  /// ray first asks.
+  bool heat_ahead = true;
+  bool solve = true;  ///< false: neither temperatures nor air: nothing of it can be rendered
 
   /// Whether sampling follows a goal instead of the scenario's numbers.
   [[nodiscard]] bool has_goal() const { return accuracy || time_s; }

@@ -93,8 +93,8 @@ class TileToGoal {
 }  // namespace
 
 int first_look(const SamplingGoal& goal, std::size_t pixels) {
-  // Small tiles make up for it: of what one path in 500 finds, some is seen.
-  constexpr double least_paths_of_tile = 2048.0;
+  // Small tiles make up for it: of what one path in 250 finds, some is seen.
+  constexpr double least_paths_of_tile = 1024.0;
   const double each = least_paths_of_tile / (static_cast<double>(pixels) * goal.replicates);
   const int samples = std::max(static_cast<int>(std::ceil(each)), goal.first_samples);
   return std::min(samples, std::max(1, goal.most_samples));

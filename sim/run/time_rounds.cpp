@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "sim/run/merge_images.hpp"
+#include "sim/run/pixel_needs.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -159,6 +160,8 @@ ArrayImage render_until(StripRenderer& strip, const ArrayJob& job, const RenderO
   first.samples.assign(strip.pixels(), goal.first_samples);
   ArrayImage image = in_time.render(first);
   std::uint32_t round = take_kept(in_time, job, options, image);
+  const auto& goals = goal.bands[job.number];
+  state_needs_of_blocks(image, goals, job.plan.quadratures);
   for (;; ++round) {
     tell_progress(options, time);
     const double left_s = time.left_s();
@@ -170,8 +173,7 @@ ArrayImage render_until(StripRenderer& strip, const ArrayJob& job, const RenderO
           in_time.cost().paths_in((last ? share_of_last : share_of_round) * left_s),
           goal.replicates, most_samples(options, in_time.cost().paths_in(time.all_s())),
           options.time->stop_at_goal ? 0.98 : 0.0};
-      order.samples =
-          samples_for_budget(image, errors_over_goals(image, goal.bands[job.number]), budget);
+      order.samples = samples_for_budget(image, errors_over_goals(image, goals), budget);
     } else {
       order.samples.assign(strip.pixels(), 1);  // all was found: what a path costs is not known yet
     }
@@ -181,6 +183,7 @@ ArrayImage render_until(StripRenderer& strip, const ArrayJob& job, const RenderO
     merge(image, more, job.plan.quadratures);
   }
   rounds = std::max(rounds, round);
+  state_needs_of_blocks(image, goals, job.plan.quadratures);
   state_bias(image, job.number, options);
   return image;
 }

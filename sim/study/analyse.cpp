@@ -28,9 +28,11 @@ const StudySample* same_numbers(const StudyRecord& record, const StudyRun& run) 
   return nullptr;
 }
 
-double sum_over(const std::vector<BandFigures>& bands, double BandFigures::*figure, bool squared) {
+double sum_over(const std::vector<BandMeasures>& bands, double BandMeasures::*figure,
+                bool squared) {
   double sum = 0.0;
-  for (const BandFigures& band : bands) sum += squared ? band.*figure * band.*figure : band.*figure;
+  for (const BandMeasures& band : bands)
+    sum += squared ? band.*figure * band.*figure : band.*figure;
   return sum;
 }
 
@@ -40,7 +42,7 @@ void pool_bias(RowFigures& row) {
   for (std::size_t b = 0; b < row.bands.size(); ++b) {
     double weight = 0.0, bias = 0.0, variance = 0.0, square = 0.0, square_variance = 0.0;
     for (const LevelFigures& level : row.levels) {
-      const BandFigures& f = level.bands[b];
+      const BandMeasures& f = level.bands[b];
       const double w = static_cast<double>(level.samples) * level.replicates;
       weight += w;
       bias += w * f.bias;
@@ -62,21 +64,21 @@ void fit_rates(RowFigures& row) {
   std::vector<RatePoint> noise;
   const double bands = static_cast<double>(row.bands.size());
   for (const LevelFigures& level : row.levels) {
-    const double rms = std::sqrt(sum_over(level.bands, &BandFigures::noise, true) / bands);
+    const double rms = std::sqrt(sum_over(level.bands, &BandMeasures::noise, true) / bands);
     if (!(rms > 0.0)) continue;
     double variance = 0.0;
-    for (const BandFigures& f : level.bands) {
+    for (const BandMeasures& f : level.bands) {
       variance += f.noise * f.noise * f.noise_error * f.noise_error;
     }
     const double sigma = tail_allowance * std::sqrt(variance) / bands / rms;
     noise.push_back({static_cast<double>(level.samples), rms, std::max(sigma, 1e-6 * rms)});
     // error^2 of one replicate: bias and its own noise
-    const double square_bias = sum_over(level.bands, &BandFigures::square_bias, false) / bands;
+    const double square_bias = sum_over(level.bands, &BandMeasures::square_bias, false) / bands;
     const double error2 = rms * rms + square_bias;
     if (!(error2 > 0.0)) continue;
     const double error = std::sqrt(error2);
     const double bias_sigma =
-        std::sqrt(sum_over(level.bands, &BandFigures::square_bias_error, true)) / bands;
+        std::sqrt(sum_over(level.bands, &BandMeasures::square_bias_error, true)) / bands;
     row.errors.push_back({static_cast<double>(level.samples), error,
                           std::hypot(2.0 * rms * sigma, bias_sigma) / (2.0 * error)});
   }
@@ -162,7 +164,7 @@ void add_confirmation(Recommendation& advice, const StudyRecord& record,
     const SamplingRequest& request = run.sample.request;
     if (run.key != key_of(advice.settings) || request.samples != advice.samples) continue;
     advice.found_error = 0.0;
-    for (const BandFigures& f : compare(run.sample, reference, nullptr)) {
+    for (const BandMeasures& f : compare(run.sample, reference, nullptr)) {
       const double square = f.square_bias + f.noise * f.noise / request.replicates;
       advice.found_error = std::max(advice.found_error, std::sqrt(std::max(0.0, square)));
     }

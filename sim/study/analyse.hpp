@@ -22,7 +22,7 @@ struct Reference {
 };
 
 /// Errors of one level in one band, relative to max(radiance, floor) of each pixel.
-struct BandFigures {
+struct BandMeasures {
   double bias = 0.0, bias_error = 0.0;  ///< of the mean over pixels, signed, and standard error
   /// Mean over pixels of the squared bias of a pixel, noise of both sides taken off (it may come
   /// out below 0), and its standard error over pixels.
@@ -35,7 +35,7 @@ struct BandFigures {
 struct LevelFigures {
   int samples = 1;  ///< paths of a replicate
   int replicates = 0;
-  std::vector<BandFigures> bands;
+  std::vector<BandMeasures> bands;
   SampleCost cost;
   double paths = 0.0;         ///< of the picture: header.replicates * samples
   double picture_s = 0.0;     ///< predicted wall time of the whole picture
@@ -102,9 +102,9 @@ inline constexpr std::array study_targets{0.05, 0.02, 0.01, 0.005};
 
 /// Figures of one level. `against` replaces the reference where the same random numbers were used
 /// (paired rows): then the difference's own spread over pixels is its error.
-[[nodiscard]] std::vector<BandFigures> compare(const StudySample& sample,
-                                               const Reference& reference,
-                                               const StudySample* paired_with);
+[[nodiscard]] std::vector<BandMeasures> compare(const StudySample& sample,
+                                                const Reference& reference,
+                                                const StudySample* paired_with);
 
 /// Everything that follows from what was measured. Pure.
 [[nodiscard]] StudyResult analyse(const StudyRecord& record);

@@ -43,8 +43,8 @@ struct BandSum {
   double difference = 0.0, difference_variance = 0.0, scale = 0.0, variance_of_noise2 = 0.0;
 };
 
-BandFigures figures_of(const BandSum& sum) {
-  BandFigures f;
+BandMeasures figures_of(const BandSum& sum) {
+  BandMeasures f;
   const double pixels = static_cast<double>(sum.square_bias.count());
   if (pixels < 1.0 || !(sum.scale > 0.0)) return f;
   f.bias = sum.difference / sum.scale;
@@ -84,9 +84,9 @@ Reference reference_of(const StudyRecord& record) {
   return reference;
 }
 
-std::vector<BandFigures> compare(const StudySample& sample, const Reference& reference,
-                                 const StudySample* paired_with) {
-  std::vector<BandFigures> bands;
+std::vector<BandMeasures> compare(const StudySample& sample, const Reference& reference,
+                                  const StudySample* paired_with) {
+  std::vector<BandMeasures> bands;
   const double replicates = sample.request.replicates;
   for (std::size_t b = 0; b < sample.mean.size(); ++b) {
     BandSum sum;

@@ -22,7 +22,7 @@ int drawn_in(int lo, int hi, Rng& random) {
 
 }  // namespace
 
-std::vector<ImagePlace> stratified_pixels(const ImageSize& image, int count, std::uint64_t seed) {
+std::vector<StudyPixel> stratified_pixels(const ImageSize& image, int count, std::uint64_t seed) {
   std::set<std::pair<int, int>> drawn;  // line and sample
   Rng random{seed, 0};
   const auto wanted = static_cast<std::size_t>(
@@ -48,7 +48,7 @@ std::vector<ImagePlace> stratified_pixels(const ImageSize& image, int count, std
   while (drawn.size() < wanted) {
     drawn.insert({drawn_in(0, image.lines, random), drawn_in(0, image.samples, random)});
   }
-  std::vector<ImagePlace> places;
+  std::vector<StudyPixel> places;
   for (const auto& [line, sample] : drawn) places.push_back({sample, line});
   return places;
 }

@@ -7,9 +7,9 @@
 namespace nadir::sim {
 
 /// A pixel of an array's image.
-struct ImagePlace {
+struct StudyPixel {
   int sample = 0, line = 0;
-  [[nodiscard]] bool operator==(const ImagePlace&) const = default;
+  [[nodiscard]] bool operator==(const StudyPixel&) const = default;
 };
 
 /// An image's size in pixels.
@@ -23,7 +23,7 @@ struct ImageSize {
 /// Pixels of an image, stratified: it is cut into bands of lines, each band into cells, so that
 /// there are `count` cells, nearly square and nearly alike, and one pixel is drawn in each. Each
 /// pixel at most once, in the order of lines; all of them where there are no more than `count`.
-[[nodiscard]] std::vector<ImagePlace> stratified_pixels(const ImageSize& image, int count,
+[[nodiscard]] std::vector<StudyPixel> stratified_pixels(const ImageSize& image, int count,
                                                         std::uint64_t seed);
 
 /// Shares pixels out among images in proportion to their sizes, but at least a quarter of an equal

@@ -35,7 +35,7 @@ TableJson json_of(const RateFit& fit) {
           {"reduced_chi2", finite(fit.reduced_chi2)}};
 }
 
-TableJson json_of(const BandFigures& f) {
+TableJson json_of(const BandMeasures& f) {
   return {{"bias", finite(f.bias)},
           {"bias_standard_error", finite(f.bias_error)},
           {"square_pixel_bias", finite(f.square_bias)},

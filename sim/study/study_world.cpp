@@ -178,7 +178,7 @@ void StudyWorld::choose_pixels(const StudyHeader& header) {
   const auto sizes = image_sizes();
   for (std::size_t a = 0; a < sizes.size(); ++a) {
     const int array = static_cast<int>(a);
-    for (const ImagePlace& place :
+    for (const StudyPixel& place :
          stratified_pixels(sizes[a], header.pixels_of_array.at(a), mix(header.seed, a))) {
       places_.push_back({array, place.sample, place.line});
     }

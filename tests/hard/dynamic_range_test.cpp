@@ -13,7 +13,7 @@
 namespace nadir::radiometry::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double dynamic_range_pi = std::numbers::pi;
 const spectral::Lanes lanes{{1.0_um, 4.0_um}};
 
 /// A sunlit yard and, beside it, a sealed cellar of thin walls with a warm box inside: its floor
@@ -63,7 +63,7 @@ TEST_CASE("a cellar beside a yard 1e12 times as bright shows its own warmth", "[
         hard_measure(scene, lanes, {{12.0, 0.0, 2.0}, normalised({0.3, 0.2, -1.0})}, 4, 32);
     check_sane(day);
     CHECK(day.lanes[0].mean > 1e12 * night.lanes[0].mean);
-    CHECK(day.lanes[0].mean > 0.5 * 1e4 * std::sin(degrees(45.0).value) / pi);
+    CHECK(day.lanes[0].mean > 0.5 * 1e4 * std::sin(degrees(45.0).value) / dynamic_range_pi);
   }
 }
 

@@ -8,8 +8,8 @@
 namespace nadir::radiometry::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const spectral::Lanes lanes{{0.5_um, 10.0_um}};
+constexpr double extent_pi = std::numbers::pi;
+const spectral::Lanes lanes_extent{{0.5_um, 10.0_um}};
 constexpr double pixel_rad = 1e-7;
 
 /// From a sensor at `distance_m` and 40 degrees from the zenith of `target`: the ray of the pixel
@@ -90,9 +90,9 @@ TEST_CASE("the radiance of a target of a metre does not depend on the distance",
     Target target = one_metre(true, in_wide_scene);
     target.scene.method = method;
     const auto seen =
-        hard_measure(target.scene, lanes, slanted(target.centre, 40.0, distance_m), 16, 64);
-    const double reflected = 0.5 * 1000.0 * std::sin(degrees(50.0).value) / pi;
-    std::vector<double> expected = black_body(lanes, 300.0_K);
+        hard_measure(target.scene, lanes_extent, slanted(target.centre, 40.0, distance_m), 16, 64);
+    const double reflected = 0.5 * 1000.0 * std::sin(degrees(50.0).value) / extent_pi;
+    std::vector<double> expected = black_body(lanes_extent, 300.0_K);
     for (double& value : expected) value = 0.5 * value + reflected;
     CAPTURE(distance_m, in_wide_scene, name_of(method));
     check_right(seen, expected);
@@ -141,10 +141,10 @@ TEST_CASE("the shadow of a wall ends where it must, 100 km from the middle of th
     scene.solver.min_quad_samples = 0;
     scene.solver.initial_sample_count = 0;
     const SceneDescription description = scene.build();
-    const double lit = 0.5 * 1000.0 * std::sqrt(0.5) / pi;
+    const double lit = 0.5 * 1000.0 * std::sqrt(0.5) / extent_pi;
     const auto at = [&](double metres_behind) {
-      return hard_measure(description, lanes, {{x + metres_behind, 0.0, 2000.0}, {0.0, 0.0, -1.0}},
-                          4, 16);
+      return hard_measure(description, lanes_extent,
+                          {{x + metres_behind, 0.0, 2000.0}, {0.0, 0.0, -1.0}}, 4, 16);
     };
     CAPTURE(name_of(method));
     for (const double inside : {0.1, 1.0, 500.0, 999.5}) check_right(at(inside), 0.0);
@@ -165,7 +165,7 @@ TEST_CASE("a lamp of half a metre lights the ground beneath alike in 100 m and 5
     scene.add(geometry::Plane{{}, size_m, size_m}, scene.material(grey(0.5), Kelvin{0.0}));
     scene.add_disc_lamp({foot + Vec3{0.0, 0.0, h}, {0.0, 0.0, -1.0}, a}, 100.0,
                         scene.material(grey(0.0), Kelvin{0.0}));
-    const auto seen = hard_measure(scene.build(), lanes, slanted(foot, 40.0, 3.0), 16, 64);
+    const auto seen = hard_measure(scene.build(), lanes_extent, slanted(foot, 40.0, 3.0), 16, 64);
     CAPTURE(size_m, name_of(method));
     // Where the ray meets ground is rounded by up to 1e-8 of the scene's size along it.
     check_right(seen, 0.5 * 100.0 * a * a / (a * a + h * h), 1e-5);

@@ -9,9 +9,9 @@
 namespace nadir::radiometry::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const spectral::Lanes visible{{0.45_um, 0.65_um}};
-const spectral::Lanes thermal_ir{{8.5_um, 12.0_um}};
+constexpr double geometry_pi = std::numbers::pi;
+const spectral::Lanes visible_geometry{{0.45_um, 0.65_um}};
+const spectral::Lanes thermal_ir_geometry{{8.5_um, 12.0_um}};
 
 geometry::TriangleMesh level_square(double half, double z) {
   return two_triangles({-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z});
@@ -42,14 +42,15 @@ TEST_CASE("of two sheets 1 mm apart the upper is seen from above and the lower i
     const SceneDescription description = scene.build();
     CAPTURE(as_mesh, name_of(method));
     for (const double x : {0.0, 123.456, -321.0, 440.0}) {
-      const double lit = 0.2 * 1000.0 * std::sin(degrees(40.0).value) / pi;
+      const double lit = 0.2 * 1000.0 * std::sin(degrees(40.0).value) / geometry_pi;
       const Vec3 place{x, 0.7 * x, 0.0};
-      check_right(hard_measure(description, visible, slanted(place, 30.0, 900.0), 8, 16), lit);
+      check_right(hard_measure(description, visible_geometry, slanted(place, 30.0, 900.0), 8, 16),
+                  lit);
       // The sun alone shines: neither sheet's underside nor the gap gets any of it.
       const auto up =
-          measure(description, visible, {place + Vec3{0.0, 0.0, -50.0}, {0, 0, 1}}, 4, 16);
-      const auto gap =
-          measure(description, visible, {place + Vec3{0.0, 0.0, -5e-4}, {0.6, 0.0, -0.8}}, 4, 16);
+          measure(description, visible_geometry, {place + Vec3{0.0, 0.0, -50.0}, {0, 0, 1}}, 4, 16);
+      const auto gap = measure(description, visible_geometry,
+                               {place + Vec3{0.0, 0.0, -5e-4}, {0.6, 0.0, -0.8}}, 4, 16);
       for (const Estimate& lane : up.lanes) CHECK(lane.mean == 0.0);
       for (const Estimate& lane : gap.lanes) CHECK(lane.mean == 0.0);
     }
@@ -63,8 +64,8 @@ TEST_CASE("of two sheets 1 mm apart the lower is seen from below, by the sky bel
     scene.method = method;
     scene.sky(10.0);  // as bright below the horizon
     scene.solver = {.initial_sample_count = 16, .mu_samples = 8, .phi_samples = 8};
-    const auto seen =
-        hard_measure(scene.build(), visible, {{77.0, -88.0, -50.0}, {0.0, 0.0, 1.0}}, 16, 16);
+    const auto seen = hard_measure(scene.build(), visible_geometry,
+                                   {{77.0, -88.0, -50.0}, {0.0, 0.0, 1.0}}, 16, 16);
     CAPTURE(name_of(method));
     check_right(seen, 8.0);
   }
@@ -93,7 +94,7 @@ TEST_CASE("a floor of triangles 1000 times longer than wide hides what glows ben
   scene.sky(1.0);
   SceneDescription description = scene.build();
   Diagnostics diagnostics;
-  const LitScene lit{description, visible, diagnostics};
+  const LitScene lit{description, visible_geometry, diagnostics};
   PathSolver solver{lit};
   Rng rng{5};
   int wrong = 0;
@@ -133,17 +134,18 @@ TEST_CASE("no light leaks in at the foot of a canyon wall of two triangles 4 km 
       // Ground and wall within reach of the shadow see each other and the black sky: nothing.
       for (const double from_foot : {1e-4, 1e-3, 0.01, 0.1, 1.0, 20.0}) {
         CAPTURE(x, from_foot);
-        const auto ground =
-            measure(description, visible, {{x, -from_foot, 50.0}, {0.0, 0.0, -1.0}}, 4, 16);
+        const auto ground = measure(description, visible_geometry,
+                                    {{x, -from_foot, 50.0}, {0.0, 0.0, -1.0}}, 4, 16);
         for (const Estimate& lane : ground.lanes) CHECK(lane.mean == 0.0);
         if (from_foot > 1.0) continue;
         const auto wall =
-            measure(description, visible, {{x, -25.0, from_foot}, {0.0, 1.0, 0.0}}, 4, 16);
+            measure(description, visible_geometry, {{x, -25.0, from_foot}, {0.0, 1.0, 0.0}}, 4, 16);
         for (const Estimate& lane : wall.lanes) CHECK(lane.mean == 0.0);
       }
       // The sunlit side, for contrast.
-      const auto lit = measure(description, visible, {{x, 25.0, 10.0}, {0.0, -1.0, 0.0}}, 4, 64);
-      CHECK(lit.lanes[0].mean > 0.7 * 1000.0 * std::cos(degrees(30.0).value) / pi);
+      const auto lit =
+          measure(description, visible_geometry, {{x, 25.0, 10.0}, {0.0, -1.0, 0.0}}, 4, 64);
+      CHECK(lit.lanes[0].mean > 0.7 * 1000.0 * std::cos(degrees(30.0).value) / geometry_pi);
     }
   }
 }
@@ -165,7 +167,7 @@ TEST_CASE("a ray along an edge or through a corner sees what is around it", "[ha
                     .phi_samples = 4};
     const SceneDescription description = scene.build();
     Diagnostics diagnostics;
-    const LitScene lit{description, thermal_ir, diagnostics};
+    const LitScene lit{description, thermal_ir_geometry, diagnostics};
     CAPTURE(name_of(method));
     std::vector<geometry::Ray> rays;
     for (const auto& t : box.triangles) {
@@ -184,7 +186,7 @@ TEST_CASE("a ray along an edge or through a corner sees what is around it", "[ha
       const Measured seen = method == Method::path
                                 ? measure_with(PathSolver{lit}, lit, ray, 16, 16, 1)
                                 : measure_with(GenericSolver{lit}, lit, ray, 16, 16, 1);
-      check_right(seen, black_body(thermal_ir, 300.0_K), 1e-4);
+      check_right(seen, black_body(thermal_ir_geometry, 300.0_K), 1e-4);
     }
   }
 }
@@ -197,8 +199,8 @@ TEST_CASE("a ray into the corners of a closed furnace sees a black body", "[hard
   const SceneDescription description = scene.build();
   for (const Vec3& corner : box.positions) {
     const geometry::Ray ray{{0.2, -0.3, 0.1}, normalised(corner - Vec3{0.2, -0.3, 0.1})};
-    check_right(hard_measure(description, thermal_ir, ray, 16, 64),
-                black_body(thermal_ir, 300.0_K));
+    check_right(hard_measure(description, thermal_ir_geometry, ray, 16, 64),
+                black_body(thermal_ir_geometry, 300.0_K));
   }
 }
 
@@ -212,7 +214,7 @@ TEST_CASE("nothing of a bright sky gets into a closed box, however long the walk
   scene.add(box, scene.material(grey(1.0), Kelvin{0.0}));
   scene.sky(1e9);
   scene.add_body(30.0, 60.0, 0.266, 1e9);
-  const auto seen = measure(scene.build(), visible, {{}, {0.48, 0.6, 0.64}}, 8, 128);
+  const auto seen = measure(scene.build(), visible_geometry, {{}, {0.48, 0.6, 0.64}}, 8, 128);
   for (const Estimate& lane : seen.lanes) CHECK(lane.mean == 0.0);
   CHECK(seen.counters.path_rays == 8 * 128 * 250);
 }

@@ -9,8 +9,8 @@
 namespace nadir::radiometry::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const spectral::Lanes visible{{0.45_um, 0.65_um}};
+constexpr double light_pi = std::numbers::pi;
+const spectral::Lanes visible_light{{0.45_um, 0.65_um}};
 
 /// Irradiance of a level plane by the part of a disc that is above the horizon, for a disc that
 /// gives 1 on a plane normal to it: the sum over circles of equal elevation a,
@@ -32,7 +32,7 @@ TEST_CASE("a disc on the horizon lights a plane by a segment of the circle: r - 
           "[hard][light]") {
   // The half cap seen from above is the segment that the cap's plane cuts off the unit circle.
   const double r = degrees(0.266).value;
-  const double segment = (r - std::sin(r) * std::cos(r)) / (pi * std::sin(r) * std::sin(r));
+  const double segment = (r - std::sin(r) * std::cos(r)) / (light_pi * std::sin(r) * std::sin(r));
   CHECK(level_irradiance(0.0, 0.266) == Approx(segment).epsilon(1e-8));
   CHECK(level_irradiance(40.0, 0.266) == Approx(std::sin(degrees(40.0).value)).epsilon(1e-9));
 }
@@ -48,8 +48,8 @@ TEST_CASE(
     scene.add(geometry::Plane{{}, 1000.0, 1000.0}, scene.material(grey(0.5), Kelvin{0.0}));
     scene.add_body(120.0, 90.0 - zenith_deg, 0.266, 1000.0);
     scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
-    const auto seen = hard_measure(scene.build(), visible, downward(), 16, 256);
-    const double expected = 0.5 * 1000.0 / pi * level_irradiance(90.0 - zenith_deg, 0.266);
+    const auto seen = hard_measure(scene.build(), visible_light, downward(), 16, 256);
+    const double expected = 0.5 * 1000.0 / light_pi * level_irradiance(90.0 - zenith_deg, 0.266);
     CAPTURE(zenith_deg, name_of(method));
     check_right(seen, expected);
     // 4096 stratified places on the disc; the cosine over it is as uneven as can be at 90 degrees.
@@ -66,11 +66,11 @@ TEST_CASE("a wall that faces a sun on the horizon gets the half of its disc that
     scene.add_body(180.0, 0.0, 0.266, 1000.0);
     scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
     const auto seen =
-        hard_measure(scene.build(), visible, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 256);
+        hard_measure(scene.build(), visible_light, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 256);
     CAPTURE(name_of(method));
     // 2.2e-5: the share of the path solver's walks, pdf x solid angle of the disc, none of which
     // happens to meet the disc among so few.
-    check_right(seen, 500.0 / pi, 3e-5);
+    check_right(seen, 500.0 / light_pi, 3e-5);
   }
 }
 
@@ -92,14 +92,14 @@ TEST_CASE("a lamp 1e9 times as bright as the sky is seen, lights, and leaves the
     CAPTURE(name_of(method));
     SECTION("seen from below it shows its own radiance") {
       const auto seen =
-          hard_measure(description, visible, {{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}}, 4, 4);
+          hard_measure(description, visible_light, {{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}}, 4, 4);
       check_right(seen, lamp);
     }
     SECTION("from behind it is dark") {
-      check_right(hard_measure(description, visible, downward(10.0), 4, 4), 0.0);
+      check_right(hard_measure(description, visible_light, downward(10.0), 4, 4), 0.0);
     }
     SECTION("the ground below it gets its form factor") {
-      const auto seen = hard_measure(description, visible, downward(1.0), 16, 64);
+      const auto seen = hard_measure(description, visible_light, downward(1.0), 16, 64);
       check_right(seen, 0.3 * (lamp * factor + (1.0 - factor)));
       CHECK(seen.lanes[0].standard_error < 1e-4 * seen.lanes[0].mean);
     }
@@ -107,11 +107,12 @@ TEST_CASE("a lamp 1e9 times as bright as the sky is seen, lights, and leaves the
       // Lamp and mirror meet the ray's image: mirrored in z = 1 the lamp stands at z = 2 - h.
       const Vec3 on_mirror{-60.0, 0.0, 1.0};
       const Vec3 image = normalised(Vec3{0.0, 0.0, 2.0 - h} - on_mirror);
-      const auto seen = hard_measure(description, visible, {on_mirror - 3.0 * image, image}, 4, 16);
+      const auto seen =
+          hard_measure(description, visible_light, {on_mirror - 3.0 * image, image}, 4, 16);
       check_right(seen, 0.5 * lamp);
       const Vec3 beside = normalised(Vec3{0.0, 0.0, 2.5 - h} - on_mirror);
-      check_right(hard_measure(description, visible, {on_mirror - 3.0 * beside, beside}, 4, 16),
-                  0.5);
+      check_right(
+          hard_measure(description, visible_light, {on_mirror - 3.0 * beside, beside}, 4, 16), 0.5);
     }
   }
 }
@@ -130,9 +131,9 @@ TEST_CASE("a sun seen through a pane and by the ground beneath counts once, howe
     scene.add(geometry::Plane{{0.0, 0.0, 2.0}, 1000.0, 1000.0}, scene.material(pane, Kelvin{0.0}));
     scene.add_body(0.0, 90.0, 30.0, 1000.0);
     scene.solver = {.initial_sample_count = 16, .sample_decay_rate = 1.0, .mu_samples = 4};
-    const auto seen = hard_measure(scene.build(), visible, downward(1.0), 16, 64);
+    const auto seen = hard_measure(scene.build(), visible_light, downward(1.0), 16, 64);
     CAPTURE(name_of(method));
-    check_right(seen, 0.5 * 0.8 * 1000.0 / pi);
+    check_right(seen, 0.5 * 0.8 * 1000.0 / light_pi);
     CHECK(seen.lanes[0].standard_error < 0.02 * seen.lanes[0].mean);
   }
 }
@@ -153,9 +154,9 @@ TEST_CASE("a sun seen through a pane that is half frosted counts in full", "[har
     scene.add(geometry::Plane{{0.0, 0.0, 2.0}, 1000.0, 1000.0}, scene.material(pane, Kelvin{0.0}));
     scene.add_body(0.0, 90.0, 30.0, 1000.0);
     scene.solver = {.initial_sample_count = 32, .sample_decay_rate = 1.0, .mu_samples = 4};
-    const auto seen = hard_measure(scene.build(), visible, downward(1.0), 16, 128);
+    const auto seen = hard_measure(scene.build(), visible_light, downward(1.0), 16, 128);
     CAPTURE(name_of(method));
-    check_right(seen, 0.5 * 0.5 * 1000.0 / pi);
+    check_right(seen, 0.5 * 0.5 * 1000.0 / light_pi);
     CHECK(seen.lanes[0].standard_error < 0.1 * seen.lanes[0].mean);
   }
 }

@@ -12,7 +12,7 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes both{{0.55_um, 10.0_um}};
+const spectral::Lanes both_scene{{0.55_um, 10.0_um}};
 
 TEST_CASE("a scene of nothing shows the sky, and a sun where one stands", "[hard][scene]") {
   for (const Method method : both_solvers) {
@@ -24,11 +24,11 @@ TEST_CASE("a scene of nothing shows the sky, and a sun where one stands", "[hard
     CHECK_FALSE(empty.geometry.intersect(downward()).has_value());
     CHECK_FALSE(empty.geometry.occluded(downward()));
     CAPTURE(name_of(method));
-    check_right(hard_measure(empty, both, {{}, {0.0, 0.0, 1.0}}, 4, 1), 2.0);
+    check_right(hard_measure(empty, both_scene, {{}, {0.0, 0.0, 1.0}}, 4, 1), 2.0);
     const double half = std::sin(0.5 * degrees(0.266).value);
     const double disc = 1000.0 / (4.0 * std::numbers::pi * half * half);
     const Vec3 to_sun = direction_enu(0.0, degrees(50.0).value);
-    check_right(hard_measure(empty, both, {{}, to_sun}, 4, 1), 2.0 + disc);
+    check_right(hard_measure(empty, both_scene, {{}, to_sun}, 4, 1), 2.0 + disc);
   }
 }
 
@@ -44,7 +44,8 @@ TEST_CASE("a scene of one triangle: Lambert's radiance inside, the sky outside",
       scene.sky(2.0);
       const SceneDescription built = scene.build();
       const auto at = [&](double x, double y) {
-        return hard_measure(built, both, {{x * size_m, y * size_m, 10.0}, {0.0, 0.0, -1.0}}, 4, 4);
+        return hard_measure(built, both_scene, {{x * size_m, y * size_m, 10.0}, {0.0, 0.0, -1.0}},
+                            4, 4);
       };
       CAPTURE(name_of(method), size_m);
       check_right(at(0.25, 0.25), 1.0, 2e-5);  // flat and open: 0.5 times the sky
@@ -67,8 +68,8 @@ TEST_CASE("a triangle without area is never hit and breaks nothing beside it", "
   REQUIRE(hit.has_value());
   CHECK(hit->position.z == Approx(0.0).margin(1e-6));
   CHECK(hit->primitive == 0);
-  check_right(hard_measure(built, both, {{0.5, 0.0, 10.0}, {0.0, 0.0, -1.0}}, 4, 1),
-              black_body(both, 300.0_K));
+  check_right(hard_measure(built, both_scene, {{0.5, 0.0, 10.0}, {0.0, 0.0, -1.0}}, 4, 1),
+              black_body(both_scene, 300.0_K));
 }
 
 TEST_CASE("a triangle of a micrometre and one of 1000 km in one scene are both hit where they are",
@@ -120,7 +121,7 @@ TEST_CASE("reflectance and emissivity of exactly 0 and 1 keep their furnace", "[
     scene.sky(0.0, 300.0_K);  // as warm as the ground: a black body, whatever the reflectance
     CAPTURE(reflectance, name_of(method));
     const auto seen = hard_measure(scene.build(), spectral::Lanes{{10.0_um}}, downward(), 8, 64);
-    check_right(seen, {spectral::planck(10.0_um, 300.0_K).value}, 1e-4);
+    check_right(seen, spectral::planck(10.0_um, 300.0_K).value, 1e-4);
   }
 }
 
@@ -134,7 +135,7 @@ TEST_CASE("a pane of transmittance 1 is not there", "[hard][scene]") {
     scene.add(geometry::Plane{{}, 100.0, 100.0}, scene.material(grey(0.0), 300.0_K));
     CAPTURE(name_of(method));
     const auto seen = hard_measure(scene.build(), spectral::Lanes{{10.0_um}}, downward(), 8, 64);
-    check_right(seen, {spectral::planck(10.0_um, 300.0_K).value}, 1e-4);
+    check_right(seen, spectral::planck(10.0_um, 300.0_K).value, 1e-4);
   }
 }
 
@@ -148,8 +149,8 @@ TEST_CASE("a night pixel 1e-9 as bright as its neighbour keeps six digits", "[ha
     scene.add_body(120.0, 40.0, 0.266, 1500.0);
     scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
     const SceneDescription built = scene.build();
-    const auto bright = hard_measure(built, both, downward(), 4, 64);
-    const auto dark = hard_measure(built, both, {{3.0, 0.0, 10.0}, {0.0, 0.0, -1.0}}, 4, 64);
+    const auto bright = hard_measure(built, both_scene, downward(), 4, 64);
+    const auto dark = hard_measure(built, both_scene, {{3.0, 0.0, 10.0}, {0.0, 0.0, -1.0}}, 4, 64);
     CAPTURE(name_of(method));
     const double sunlit = 0.5 / std::numbers::pi * 1500.0 * std::sin(degrees(40.0).value);
     check_right(bright, sunlit);

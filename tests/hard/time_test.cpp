@@ -14,17 +14,17 @@
 namespace nadir::ephemeris {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double time_pi = std::numbers::pi;
 
 Instant utc(const std::string& text) { return Instant::parse_utc(text); }
 
 /// The angle between two places in the sky as the same observer sees them.
 double apart_rad(Vec3 a, Vec3 b) { return 2.0 * std::asin(0.5 * length(a - b)); }
 
-void check_sane(const BodyPosition& body) {
+void check_sane_time(const BodyPosition& body) {
   CHECK(body.azimuth.value >= 0.0);
-  CHECK(body.azimuth.value < 2.0 * pi);
-  CHECK(std::abs(body.elevation.value) <= pi / 2);
+  CHECK(body.azimuth.value < 2.0 * time_pi);
+  CHECK(std::abs(body.elevation.value) <= time_pi / 2);
   CHECK(std::isfinite(body.apparent_elevation.value));
   CHECK(body.angular_radius.value > 0.0);
   CHECK(length(body.direction_enu) == Approx(1.0).epsilon(1e-14));
@@ -37,13 +37,13 @@ TEST_CASE("at a pole every meridian sees the same sky, turned by its longitude",
   for (const double longitude_deg : {-180.0, -90.0, 1e-9, 45.0, 180.0, 360.0}) {
     const SunAndMoon there = sun_and_moon(now, {latitude_deg, longitude_deg, 0.0});
     const auto check_turned = [&](const BodyPosition& a, const BodyPosition& b) {
-      check_sane(b);
+      check_sane_time(b);
       CHECK(b.elevation.value == Approx(a.elevation.value).margin(1e-12));
       // Azimuths count with the meridian at the north pole, against it at the south pole.
       const double sign = latitude_deg > 0.0 ? 1.0 : -1.0;
       const double turned = a.azimuth.value + sign * degrees(longitude_deg).value;
       CAPTURE(longitude_deg);
-      CHECK(std::remainder(b.azimuth.value - turned, 2.0 * pi) == Approx(0.0).margin(1e-10));
+      CHECK(std::remainder(b.azimuth.value - turned, 2.0 * time_pi) == Approx(0.0).margin(1e-10));
     };
     check_turned(at_zero.sun, there.sun);
     check_turned(at_zero.moon, there.moon);
@@ -107,7 +107,7 @@ TEST_CASE("the sun does not jump at a leap second where UT1 - UTC is given on ei
              at_60 = sun("2016-12-31T23:59:60Z", -0.4), at_0 = sun("2017-01-01T00:00:00Z", 0.6),
              at_1 = sun("2017-01-01T00:00:01Z", 0.6);
   const double second = apart_rad(at_58, at_59);
-  CHECK(second == Approx(2.0 * pi / 86400.0).epsilon(0.1));  // 15 arcsec times the cosine
+  CHECK(second == Approx(2.0 * time_pi / 86400.0).epsilon(0.1));  // 15 arcsec times the cosine
   // Aberration and proper motion change by 1e-6 of it from one second to the next.
   CHECK(apart_rad(at_59, at_60) == Approx(second).epsilon(1e-4));
   CHECK(apart_rad(at_60, at_0) == Approx(second).epsilon(1e-4));
@@ -122,8 +122,8 @@ TEST_CASE("the first and last second of 1900 to 2100 have a sun, those beyond ar
         "2100-02-28T23:59:59Z", "2100-12-31T23:59:59Z"}) {
     CAPTURE(text);
     const SunAndMoon seen = sun_and_moon(utc(text), site);
-    check_sane(seen.sun);
-    check_sane(seen.moon);
+    check_sane_time(seen.sun);
+    check_sane_time(seen.moon);
     CHECK(seen.sun.distance.value == Approx(1.496e11).epsilon(0.018));
     CHECK(seen.moon.distance.value == Approx(384.4e6).epsilon(0.08));
   }

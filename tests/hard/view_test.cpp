@@ -8,8 +8,8 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes visible{{0.45_um, 0.65_um}};
-const spectral::Lanes thermal_ir{{8.5_um, 12.0_um}};
+const spectral::Lanes visible_view{{0.45_um, 0.65_um}};
+const spectral::Lanes thermal_ir_view{{8.5_um, 12.0_um}};
 const geometry::Ray grazing = slanted({}, 89.9, 100.0);
 
 TEST_CASE("a Lambertian plane viewed at 89.9 degrees is as bright as from above", "[hard][view]") {
@@ -19,7 +19,7 @@ TEST_CASE("a Lambertian plane viewed at 89.9 degrees is as bright as from above"
     scene.add(geometry::Plane{{}, 1000.0, 1000.0}, scene.material(grey(0.4), Kelvin{0.0}));
     scene.add_body(200.0, 40.0, 0.266, 1000.0);
     scene.sky(80.0);
-    const auto seen = hard_measure(scene.build(), visible, grazing, 16, 64);
+    const auto seen = hard_measure(scene.build(), visible_view, grazing, 16, 64);
     CAPTURE(name_of(method));
     check_right(seen, 0.4 * (1000.0 * std::sin(degrees(40.0).value) / std::numbers::pi + 80.0));
   }
@@ -32,7 +32,7 @@ TEST_CASE("a mirror viewed at 89.9 degrees shows the sky near the horizon", "[ha
     scene.add(geometry::Plane{{}, 1000.0, 1000.0},
               scene.material(scaled(materials::Mirror{}, 0.7), Kelvin{0.0}));
     scene.overcast(70.0);
-    const auto seen = hard_measure(scene.build(), visible, grazing, 8, 64);
+    const auto seen = hard_measure(scene.build(), visible_view, grazing, 8, 64);
     const double sky = 3.0 / 7.0 * (1.0 + 2.0 * std::cos(degrees(89.9).value)) * 70.0;
     CAPTURE(name_of(method));
     check_right(seen, 0.7 * sky);
@@ -62,9 +62,9 @@ TEST_CASE("what facets reflect and emit at 89.9 degrees adds up to the black bod
       scene.add(geometry::Plane{{}, 1000.0, 1000.0}, scene.material(own_spectra(c.model), 300.0_K));
       scene.sky(0.0, 300.0_K);
       scene.solver = {.initial_sample_count = 32, .mu_samples = 8, .phi_samples = 8};
-      const auto seen = hard_measure(scene.build(), thermal_ir, grazing, 16, 64);
+      const auto seen = hard_measure(scene.build(), thermal_ir_view, grazing, 16, 64);
       CAPTURE(c.name, name_of(method));
-      check_right(seen, black_body(thermal_ir, 300.0_K), 1e-2);
+      check_right(seen, black_body(thermal_ir_view, 300.0_K), 1e-2);
     }
   }
 }

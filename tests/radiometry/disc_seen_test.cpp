@@ -10,7 +10,7 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes one_lane{{0.55_um}};
+const spectral::Lanes one_lane_disc_seen{{0.55_um}};
 constexpr double irradiance = 1000.0, radius_deg = 0.266;
 
 double disc_radiance() {
@@ -45,7 +45,7 @@ atmosphere::Tabulated tabulated(const atmosphere::SyntheticAir& air) {
 double share_seen(const atmosphere::Atmosphere& air, Method method, double height_m) {
   const SceneDescription scene = scene_of(air, method);
   const geometry::Ray ray{{0.0, 0.0, height_m}, scene.illumination.front().direction_enu};
-  return measure(scene, one_lane, ray, 1, 1).lanes[0].mean / disc_radiance();
+  return measure(scene, one_lane_disc_seen, ray, 1, 1).lanes[0].mean / disc_radiance();
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE("surfaces, and sensors in air without paths, get the sun that comes to
           "[radiometry][air]") {
   Diagnostics diagnostics;
   const SceneDescription scene = scene_of(tabulated(air_of({1500.0})), Method::generic);
-  const LitScene lit{scene, one_lane, diagnostics};
+  const LitScene lit{scene, one_lane_disc_seen, diagnostics};
   REQUIRE(lit.targets().size() == 1);
   const Target& sun = lit.targets().front();
   CHECK(sun.outside[0] == Approx(disc_radiance()).epsilon(1e-6));

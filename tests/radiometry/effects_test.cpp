@@ -16,7 +16,7 @@ using std::numbers::inv_pi;
 constexpr double pi = std::numbers::pi;
 
 // Where sun and emission are of like size.
-const spectral::Lanes midwave{{3.8_um, 4.0_um, 4.2_um}};
+const spectral::Lanes midwave_effects{{3.8_um, 4.0_um, 4.2_um}};
 
 /// A plane under sun, moon and sky, seen through air. The sun's irradiance is scaled to the size of
 /// the emission.
@@ -72,10 +72,11 @@ TEST_CASE("an effect that is off takes its closed form out of the image", "[radi
   const LitPlane plane;
   const SceneDescription scene = plane.build(method);
   for (const Effect off : sources) {
-    const auto seen = measure_effects(scene, midwave, downward(), EffectSet::all().without(off));
+    const auto seen =
+        measure_effects(scene, midwave_effects, downward(), EffectSet::all().without(off));
     CAPTURE(name_of(off));
-    for (int i = 0; i < midwave.count(); ++i) {
-      const double expected = plane.whole(midwave[i]) - plane.part(off, midwave[i]);
+    for (int i = 0; i < midwave_effects.count(); ++i) {
+      const double expected = plane.whole(midwave_effects[i]) - plane.part(off, midwave_effects[i]);
       CHECK(agree(seen.lanes[static_cast<std::size_t>(i)], expected));
     }
   }
@@ -85,17 +86,17 @@ TEST_CASE("without path transmittance the surface shows in full behind the air's
           "[radiometry][effect]") {
   const Method method = GENERATE(Method::path, Method::generic);
   const LitPlane plane;
-  const auto seen = measure_effects(plane.build(method), midwave, downward(),
+  const auto seen = measure_effects(plane.build(method), midwave_effects, downward(),
                                     EffectSet::all().without(Effect::path_transmittance));
-  for (int i = 0; i < midwave.count(); ++i) {
-    CHECK(agree(seen.lanes[static_cast<std::size_t>(i)], plane.whole(midwave[i], 1.0)));
+  for (int i = 0; i < midwave_effects.count(); ++i) {
+    CHECK(agree(seen.lanes[static_cast<std::size_t>(i)], plane.whole(midwave_effects[i], 1.0)));
   }
 }
 
 TEST_CASE("with every source off the image is black", "[radiometry][effect]") {
   const Method method = GENERATE(Method::path, Method::generic);
   const auto seen =
-      measure_effects(LitPlane{}.build(method), midwave, downward(), without_sources());
+      measure_effects(LitPlane{}.build(method), midwave_effects, downward(), without_sources());
   for (const Estimate& lane : seen.lanes) CHECK(lane.mean == 0.0);
 }
 
@@ -104,10 +105,10 @@ TEST_CASE("what the sensor sees beyond the scene belongs to its line of sight",
   const SceneDescription scene = LitPlane{}.build(GENERATE(Method::path, Method::generic));
   const geometry::Ray upward{{0.0, 0.0, 10.0}, {0.0, 0.0, 1.0}};
   const auto seen = [&](EffectSet effects) {
-    return measure_effects(scene, midwave, upward, effects, 2, 1).lanes[1].mean;
+    return measure_effects(scene, midwave_effects, upward, effects, 2, 1).lanes[1].mean;
   };
   const EffectSet all = EffectSet::all();
-  const double warm = spectral::planck(midwave[1], 260.0_K).value;
+  const double warm = spectral::planck(midwave_effects[1], 260.0_K).value;
   CHECK(seen(all) == Approx(0.6 + warm).epsilon(1e-6));
   CHECK(seen(all.without(Effect::path_scattering)) == Approx(warm).epsilon(1e-6));
   CHECK(seen(all.without(Effect::path_emission)) == Approx(0.6).epsilon(1e-6));
@@ -122,7 +123,7 @@ TEST_CASE("the sun's disc in the picture goes with solar reflection, dimmed by t
   scene.illumination = {body("sun", 50.0, 12.0, 0.25)};
   const geometry::Ray into_sun{{0.0, 0.0, 10.0}, scene.illumination.front().direction_enu};
   const auto seen = [&](EffectSet effects) {
-    return measure_effects(scene, midwave, into_sun, effects, 2, 1).lanes[0].mean;
+    return measure_effects(scene, midwave_effects, into_sun, effects, 2, 1).lanes[0].mean;
   };
   const double disc = 12.0 / (pi * std::pow(std::sin(degrees(0.25).value), 2));
   const EffectSet sun = alone(Effect::solar_reflection);
@@ -136,11 +137,11 @@ TEST_CASE("shares of path and emission follow the effects", "[radiometry][effect
   const SceneDescription scene = plane.build(Method::path);
   Diagnostics diagnostics;
   const auto shares = [&](EffectSet effects) {
-    const LitScene lit{scene, midwave, diagnostics, effects};
+    const LitScene lit{scene, midwave_effects, diagnostics, effects};
     const auto found = effect_shares(lit, downward(), lit.intersect(downward(), Sampler{1, 0}));
     return std::pair{static_cast<double>(found.path[1]), static_cast<double>(found.emission[1])};
   };
-  const auto part = [&](Effect source) { return plane.part(source, midwave[1]); };
+  const auto part = [&](Effect source) { return plane.part(source, midwave_effects[1]); };
   const EffectSet all = EffectSet::all();
   const double path = part(Effect::path_scattering) + part(Effect::path_emission);
   CHECK(shares(all).first == Approx(path).epsilon(1e-6));
@@ -173,15 +174,15 @@ TEST_CASE("without shadows sun and lamps shine through everything, and no ray is
   const double lamp_light = 0.5 * 7.0 / 5.0;
   const double sun_light = 0.5 * inv_pi * 10.0 * std::sin(degrees(60.0).value);
   const auto lit_by_sun =
-      measure_effects(screened(method, true, false), midwave, below, unshadowed, 16, 16);
+      measure_effects(screened(method, true, false), midwave_effects, below, unshadowed, 16, 16);
   CHECK(agree(lit_by_sun.lanes[0], sun_light));
   CHECK(lit_by_sun.counters.target_rays == 0);
   const auto lit_by_lamp =
-      measure_effects(screened(method, false, true), midwave, below, unshadowed, 16, 16);
+      measure_effects(screened(method, false, true), midwave_effects, below, unshadowed, 16, 16);
   CHECK(agree(lit_by_lamp.lanes[0], lamp_light));
   CHECK(lit_by_lamp.counters.lamp_rays == 0);
   const auto dark =
-      measure_effects(screened(method, true, true), midwave, below, EffectSet::all(), 4, 4);
+      measure_effects(screened(method, true, true), midwave_effects, below, EffectSet::all(), 4, 4);
   CHECK(dark.lanes[0].mean == 0.0);
   CHECK(dark.counters.target_rays > 0);
 }
@@ -206,10 +207,10 @@ TEST_CASE("without interreflection a furnace shows its walls and one reflection 
   const bool min_samples = GENERATE(true, false);
   const double rho = GENERATE(0.2, 0.9);
   const geometry::Ray inside{{0.3, 0.2, 0.1}, normalised(Vec3{0.2, 0.3, -1.0})};
-  const auto seen = measure_effects(room(method, rho, min_samples), midwave, inside,
+  const auto seen = measure_effects(room(method, rho, min_samples), midwave_effects, inside,
                                     EffectSet::all().without(Effect::interreflection), 16, 16);
-  for (int i = 0; i < midwave.count(); ++i) {
-    const double own = (1.0 - rho) * spectral::planck(midwave[i], 300.0_K).value;
+  for (int i = 0; i < midwave_effects.count(); ++i) {
+    const double own = (1.0 - rho) * spectral::planck(midwave_effects[i], 300.0_K).value;
     CHECK(agree(seen.lanes[static_cast<std::size_t>(i)], own * (1.0 + rho)));
   }
   CHECK(seen.counters.full_samples == 0);
@@ -232,7 +233,7 @@ TEST_CASE("a clear pane before the sensor does not count as a reflection", "[rad
             small.material(pane, Kelvin{0.0}));
   small.sky(3.0);
   small.add_body(0.0, 45.0, 1e-4, 10.0);
-  const auto seen = measure_effects(small.build(), midwave, downward(),
+  const auto seen = measure_effects(small.build(), midwave_effects, downward(),
                                     EffectSet::all().without(Effect::interreflection), 16, 16);
   const double expected = 0.8 * 0.4 * (3.0 + inv_pi * 10.0 * std::sin(degrees(45.0).value));
   CHECK(agree(seen.lanes[0], expected));
@@ -255,15 +256,15 @@ TEST_CASE("without interreflection light from a volume is not reflected by a sur
       geometry::Region{geometry::Box{{-200.0, -200.0, 1.0}, {200.0, 200.0, 15.0}}, Affine{}};
   small.volumes = {haze};
   const geometry::Ray below{{0.0, 0.0, 0.5}, {0.0, 0.0, -1.0}};
-  const auto all = measure_effects(small.build(), midwave, below, EffectSet::all(), 4,
+  const auto all = measure_effects(small.build(), midwave_effects, below, EffectSet::all(), 4,
                                    method == Method::path ? 200 : 4);
   CHECK(all.lanes[0].mean > 0.0);
   CHECK(all.counters.volume_events > 0);
   const EffectSet once = EffectSet::all().without(Effect::interreflection);
-  CHECK(measure_effects(small.build(), midwave, below, once).lanes[0].mean == 0.0);
+  CHECK(measure_effects(small.build(), midwave_effects, below, once).lanes[0].mean == 0.0);
   // The other way round: what the sensor sees of the haze, lit by the sun, stays.
   const geometry::Ray along{{-190.0, 0.0, 8.0}, {0.0, 1.0, 0.0}};
-  const auto seen = measure_effects(small.build(), midwave, along, once);
+  const auto seen = measure_effects(small.build(), midwave_effects, along, once);
   CHECK(seen.lanes[0].mean > 0.0);
 }
 
@@ -277,12 +278,12 @@ TEST_CASE("a volume that is off neither dims nor scatters, and is not bound",
   scene.volumes = {smoke};
   const LitPlane plane;
   const EffectSet clear = EffectSet::all().without(Effect::volumes);
-  const auto seen = measure_effects(scene, midwave, downward(20.0), clear);
-  CHECK(agree(seen.lanes[1], plane.whole(midwave[1])));
+  const auto seen = measure_effects(scene, midwave_effects, downward(20.0), clear);
+  CHECK(agree(seen.lanes[1], plane.whole(midwave_effects[1])));
   CHECK(seen.counters.volume_events == 0);
   Diagnostics diagnostics;
-  CHECK(LitScene{scene, midwave, diagnostics, clear}.volumes().empty());
-  CHECK_FALSE(LitScene{scene, midwave, diagnostics}.volumes().empty());
+  CHECK(LitScene{scene, midwave_effects, diagnostics, clear}.volumes().empty());
+  CHECK_FALSE(LitScene{scene, midwave_effects, diagnostics}.volumes().empty());
 }
 
 // ---- leaves -----------------------------------------------------------------------------------
@@ -315,12 +316,13 @@ TEST_CASE("without leaf transmission nothing comes through a leaf, and it emits 
   const EffectSet all = EffectSet::all(), opaque = all.without(Effect::leaf_transmission);
   const geometry::Ray from_below{{0.0, 0.0, -5.0}, {0.0, 0.0, 1.0}};
   const auto seen = [&](double kelvin, const geometry::Ray& ray, EffectSet effects) {
-    return measure_effects(leaf_overhead(method, material, kelvin), midwave, ray, effects).lanes[1];
+    return measure_effects(leaf_overhead(method, material, kelvin), midwave_effects, ray, effects)
+        .lanes[1];
   };
   CHECK(agree(seen(0.0, from_below, all), through * inv_pi * 10.0));
   CHECK(seen(0.0, from_below, opaque).mean == 0.0);
   CHECK(agree(seen(0.0, downward(), opaque), back * inv_pi * 10.0));
-  const double own = (1.0 - through - back) * spectral::planck(midwave[1], 300.0_K).value;
+  const double own = (1.0 - through - back) * spectral::planck(midwave_effects[1], 300.0_K).value;
   CHECK(agree(seen(300.0, from_below, opaque), own, 1e-4));  // mixture: tables of albedo
 }
 
@@ -329,8 +331,9 @@ TEST_CASE("leaves that state emissivity and transmittance keep the reflectance t
   materials::Material material = leaf(0.4, 0.5);
   material.reflectance.reset();
   material.emissivity = spectral::Curve::constant(0.2);  // so that 0.3 is reflected
-  const auto seen = measure_effects(leaf_overhead(Method::path, material, 0.0), midwave, downward(),
-                                    EffectSet::all().without(Effect::leaf_transmission));
+  const auto seen =
+      measure_effects(leaf_overhead(Method::path, material, 0.0), midwave_effects, downward(),
+                      EffectSet::all().without(Effect::leaf_transmission));
   CHECK(agree(seen.lanes[0], 0.3 * inv_pi * 10.0));
 }
 

@@ -17,7 +17,7 @@ namespace {
 using namespace materials;
 using spectral::Curve;
 
-constexpr Method both[] = {Method::generic, Method::path};
+constexpr Method both_kirchhoff[] = {Method::generic, Method::path};
 const spectral::Lanes lanes{{3.7_um, 8.5_um, 12.0_um}};
 
 struct Model {
@@ -123,7 +123,7 @@ void check_furnace(const Model& model, bool as_disc) {
   const Vec3 eye{2.5, 1.0, 2.0};
   for (const Vec3 aim : {Vec3{}, Vec3{0.3, 0.6, -0.45}}) {  // the second grazes
     const geometry::Ray ray{eye, normalised(aim - eye)};
-    for (const Method method : both) {
+    for (const Method method : both_kirchhoff) {
       const test::Measured seen = method == Method::path
                                       ? measure_with(PathSolver{lit}, lit, ray, 16, 256, 1)
                                       : measure_with(GenericSolver{lit}, lit, ray, 16, 16, 1);

@@ -14,13 +14,13 @@ using radiometry::LightTreeItem;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double light_tree_pi = std::numbers::pi;
 
 LightTreeItem isotropic(Vec3 place, double weight = 1.0) {
-  return {{place, place}, {0.0, 0.0, 1.0}, pi, 0.0, weight};
+  return {{place, place}, {0.0, 0.0, 1.0}, light_tree_pi, 0.0, weight};
 }
 LightTreeItem facing(Vec3 place, Vec3 axis, double weight = 1.0) {
-  return {{place, place}, axis, 0.0, pi / 2, weight};
+  return {{place, place}, axis, 0.0, light_tree_pi / 2, weight};
 }
 
 Vec3 random_place(Rng& rng, double size) {

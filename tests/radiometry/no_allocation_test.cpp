@@ -52,7 +52,7 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { s
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes lanes{{0.45_um, 0.55_um, 1.65_um, 10.9_um}};
+const spectral::Lanes lanes_no_allocation{{0.45_um, 0.55_um, 1.65_um, 10.9_um}};
 
 materials::Material with(const materials::Scattering& model) {
   materials::Material material = grey(0.3);
@@ -122,7 +122,7 @@ int allocations_of(Solver solver, const LitScene& lit) {
 TEST_CASE("tracing rays asks the heap for nothing", "[radiometry]") {
   SceneDescription scene = everything();
   Diagnostics diagnostics;
-  const LitScene lit{scene, lanes, diagnostics};
+  const LitScene lit{scene, lanes_no_allocation, diagnostics};
   CHECK(allocations_of(GenericSolver{lit}, lit) == 0);
   CHECK(allocations_of(PathSolver{lit}, lit) == 0);
 }

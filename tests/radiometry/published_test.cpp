@@ -12,9 +12,9 @@
 namespace nadir::radiometry::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr Method both[] = {Method::generic, Method::path};
-const spectral::Lanes one_lane{{10.0_um}};
+constexpr double published_pi = std::numbers::pi;
+constexpr Method both_published[] = {Method::generic, Method::path};
+const spectral::Lanes one_lane_published{{10.0_um}};
 
 const char* name_of(Method method) { return method == Method::path ? "path" : "generic"; }
 
@@ -33,7 +33,9 @@ void check_mean(const Estimate& seen, double expected, double systematic = 1e-5)
   CHECK(std::abs(seen.mean - expected) < 4.0 * seen.standard_error + systematic * expected);
 }
 
-double planck_here(Kelvin temperature) { return spectral::planck(one_lane[0], temperature).value; }
+double planck_here(Kelvin temperature) {
+  return spectral::planck(one_lane_published[0], temperature).value;
+}
 
 /// A rectangle from `corner` along two sides; the front is where a, b and its normal are
 /// right-handed.
@@ -96,16 +98,16 @@ TEST_CASE("published: plates see each other by the view factors of Hamilton and 
     const auto ray_of = [&](Vec2 u) -> geometry::Ray {
       Vec3 place = plates.corner + u.x * plates.a + u.y * plates.b;
       if (plates.disc) {
-        const double r = std::sqrt(u.x), phi = 2.0 * pi * u.y;
+        const double r = std::sqrt(u.x), phi = 2.0 * published_pi * u.y;
         place = r * std::cos(phi) * plates.a + r * std::sin(phi) * plates.b;
       }
       return {place + Vec3{0.0, 0.0, 1e-4}, {0.0, 0.0, -1.0}};
     };
     SceneDescription description = plates.scene.build();
-    for (const Method method : both) {
+    for (const Method method : both_published) {
       description.method = method;
       const int samples = method == Method::generic ? 1024 : 4096;
-      const Measured seen = measure_area(description, one_lane, ray_of, 16, samples);
+      const Measured seen = measure_area(description, one_lane_published, ray_of, 16, samples);
       CAPTURE(plates.name, plates.figure, name_of(method));
       check_mean(seen.lanes[0], plates.figure * planck_here(300.0_K));
     }
@@ -127,7 +129,7 @@ TEST_CASE("published: two endless grey plates have their radiosities", "[radiome
                         {0.05, 0.05, 400.0_K, 300.0_K, 968.18008}};
   constexpr double stefan_boltzmann = 5.670374419e-8;
   for (const Case& c : cases) {
-    for (const Method method : both) {
+    for (const Method method : both_published) {
       // Plates that both reflect 0.95 need hundreds of bounces, more than weights of 1e-5 allow.
       if (method == Method::generic && c.eps1 + c.eps2 < 0.2) continue;
       double radiosity = 0.0, error = 0.0;
@@ -140,7 +142,8 @@ TEST_CASE("published: two endless grey plates have their radiosities", "[radiome
                   scene.material(grey(1.0 - c.eps1), first ? warm : cold));
         scene.add(geometry::Plane{{0.0, 0.0, 1.0}, 4000.0, 4000.0},
                   scene.material(grey(1.0 - c.eps2), first ? cold : warm));
-        const Estimate seen = measure(scene.build(), one_lane, downward(0.5), 16, 256).lanes[0];
+        const Estimate seen =
+            measure(scene.build(), one_lane_published, downward(0.5), 16, 256).lanes[0];
         const double t = first ? c.t1.value : c.t2.value;
         const double scale = stefan_boltzmann * t * t * t * t / planck_here(warm);
         radiosity += scale * seen.mean;
@@ -165,19 +168,19 @@ TEST_CASE("published: a Lambertian sphere has the phases of Lambert's moon",
   for (const Phase& phase : phases) {
     SmallScene scene;
     scene.add(geometry::Sphere{{}, 1.0}, scene.material(grey(1.0), Kelvin{0.0}));
-    scene.add_body(0.0, 85.0, 1e-3, pi);  // F = E / pi = 1
+    scene.add_body(0.0, 85.0, 1e-3, published_pi);  // F = E / pi = 1
     scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
     SceneDescription description = scene.build();
     // From that angle beside the sun; the disc of the sphere fills the square's circle.
     const double elevation = degrees(85.0 - phase.degrees).value;
     const Frame view = frame_about(direction_enu(0.0, elevation));
     const auto ray_of = [&](Vec2 u) -> geometry::Ray {
-      const double r = std::sqrt(u.x), phi = 2.0 * pi * u.y;
+      const double r = std::sqrt(u.x), phi = 2.0 * published_pi * u.y;
       return {5.0 * view.z + r * std::cos(phi) * view.x + r * std::sin(phi) * view.y, -view.z};
     };
-    for (const Method method : both) {
+    for (const Method method : both_published) {
       description.method = method;
-      const Measured seen = measure_area(description, one_lane, ray_of, 16, 2048);
+      const Measured seen = measure_area(description, one_lane_published, ray_of, 16, 2048);
       CAPTURE(phase.degrees, name_of(method));
       check_mean(seen.lanes[0], phase.figure, 2e-5);  // the sun's disc of 1e-3 degrees
     }
@@ -210,12 +213,12 @@ TEST_CASE("published: the floor of a black street canyon sees the sky of Masson 
       return {{u.x * width, 0.0, 0.5}, {0.0, 0.0, -1.0}};
     };
     const geometry::Ray middle{{0.5 * width, 0.0, 0.5}, {0.0, 0.0, -1.0}};
-    for (const Method method : both) {
+    for (const Method method : both_published) {
       description.method = method;
       CAPTURE(ratio, name_of(method));
-      const Measured mean = measure_area(description, one_lane, across, 16, 1024);
+      const Measured mean = measure_area(description, one_lane_published, across, 16, 1024);
       check_mean(mean.lanes[0], std::sqrt(1.0 + ratio * ratio) - ratio, 1e-4);  // of 4 km
-      const Measured there = measure(description, one_lane, middle, 16, 1024);
+      const Measured there = measure(description, one_lane_published, middle, 16, 1024);
       check_mean(there.lanes[0], std::cos(std::atan(2.0 * ratio)), 1e-4);
     }
   }
@@ -273,14 +276,14 @@ TEST_CASE("published: a grey street canyon has the radiosities of Hottel's cross
   const int n = 99;
   const CanyonStrips exact{width, height, 0.3, 0.7, n};
   SceneDescription description = street(width, height, 0.3, 0.7).build();
-  for (const Method method : both) {
+  for (const Method method : both_published) {
     description.method = method;
     CAPTURE(name_of(method));
-    const Measured floor =
-        measure(description, one_lane, {{0.5 * width, 0.0, 0.5}, {0.0, 0.0, -1.0}}, 16, 1024);
+    const Measured floor = measure(description, one_lane_published,
+                                   {{0.5 * width, 0.0, 0.5}, {0.0, 0.0, -1.0}}, 16, 1024);
     check_mean(floor.lanes[0], exact.radiosity[n + n / 2], 3e-4);
-    const Measured wall =
-        measure(description, one_lane, {{5.0, 0.0, 0.5 * height}, {1.0, 0.0, 0.0}}, 16, 1024);
+    const Measured wall = measure(description, one_lane_published,
+                                  {{5.0, 0.0, 0.5 * height}, {1.0, 0.0, 0.0}}, 16, 1024);
     check_mean(wall.lanes[0], exact.radiosity[2 * n + n / 2], 3e-4);
   }
 }
@@ -306,14 +309,14 @@ TEST_CASE("published: a mirrored V groove emits by the number of its images",
     // Down at x, from the mouth's circle of radius 1 about the apex: in the unfolded fan the ray is
     // a straight chord that leaves the circle at the angle pi - asin(x) from the upright; walls
     // stand at half, 3 half, 5 half ...
-    const double exit = pi - std::asin(x);
+    const double exit = published_pi - std::asin(x);
     return static_cast<int>(std::floor((exit - half) / (2.0 * half))) + 1;
   };
   for (const double x : {0.02, 0.1, 0.2, 0.3}) {
     const geometry::Ray ray{{x, 0.0, 3.0}, {0.0, 0.0, -1.0}};
-    for (const Method method : both) {
+    for (const Method method : both_published) {
       description.method = method;
-      const Measured seen = measure(description, one_lane, ray, 16, 64);
+      const Measured seen = measure(description, one_lane_published, ray, 16, 64);
       CAPTURE(x, planes_met(x), name_of(method));
       check_mean(seen.lanes[0], planck_here(300.0_K) * (1.0 - std::pow(rho, planes_met(x))));
     }

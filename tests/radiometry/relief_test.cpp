@@ -9,8 +9,8 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes one_lane{{0.55_um}};
-const spectral::Lanes thermal_ir{{10.9_um}};
+const spectral::Lanes one_lane_relief{{0.55_um}};
+const spectral::Lanes thermal_ir_relief{{10.9_um}};
 
 materials::Material bumpy(double reflectance, Vec2 slope, materials::MapFrame::By by) {
   materials::Material material = grey(reflectance);
@@ -43,7 +43,7 @@ TEST_CASE("a slope towards north turns away from a southern sun, mirrored textur
       scene.material(bumpy(0.5, {0.0, 0.5}, materials::MapFrame::By::texture), Kelvin{0.0});
   scene.add(square(mirrored), material);
   scene.add_body(180.0, 30.0, 1e-3, 1000.0);
-  const Estimate seen = measure(scene.build(), one_lane, downward(), 4, 16).lanes[0];
+  const Estimate seen = measure(scene.build(), one_lane_relief, downward(), 4, 16).lanes[0];
   const double elevation = degrees(30.0).value;
   const double cosine = (0.5 * std::cos(elevation) + std::sin(elevation)) / std::sqrt(1.25);
   CAPTURE(mirrored);
@@ -64,7 +64,9 @@ TEST_CASE("a relief draped on a ceiling counts north as on the ground", "[radiom
     lamp.form = PointLamp{{0.0, north, 0.0}};
     lamp.flux = spectral::Curve::constant(100.0);
     scene.lamps.push_back(lamp);
-    return measure(scene.build(), one_lane, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}, 4, 4).lanes[0].mean;
+    return measure(scene.build(), one_lane_relief, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}, 4, 4)
+        .lanes[0]
+        .mean;
   };
   // Lambert: f E cos / d^2 with I = 100 / 4 pi.
   const auto expected = [](double north) {
@@ -89,7 +91,7 @@ TEST_CASE("a bumped surface in a furnace is a black body: nothing is lost below 
   for (const Method method : {Method::path, Method::generic}) {
     description.method = method;
     const geometry::Ray ray{{-10.0, 0.0, 10.0}, normalised({1.0, 0.0, -1.0})};
-    const Estimate seen = measure(description, thermal_ir, ray, 16, 256).lanes[0];
+    const Estimate seen = measure(description, thermal_ir_relief, ray, 16, 256).lanes[0];
     CAPTURE(slope, seen.mean, seen.standard_error);
     // float lanes; the path solver has no noise here, the quads a little
     CHECK(std::abs(seen.mean - expected) < 4.0 * seen.standard_error + 1e-5 * expected);
@@ -108,9 +110,9 @@ TEST_CASE("light that a bump folds back is found by walk and shadow ray alike",
   scene.solver = {.initial_sample_count = 8, .mu_samples = 4, .phi_samples = 8};
   SceneDescription description = scene.build();
   const geometry::Ray ray{{-10.0, 0.0, 10.0}, normalised({1.0, 0.0, -1.0})};
-  const Estimate generic = measure(description, one_lane, ray, 16, 1024).lanes[0];
+  const Estimate generic = measure(description, one_lane_relief, ray, 16, 1024).lanes[0];
   description.method = Method::path;
-  const Estimate path = measure(description, one_lane, ray, 16, 4096).lanes[0];
+  const Estimate path = measure(description, one_lane_relief, ray, 16, 4096).lanes[0];
   const double error = std::hypot(generic.standard_error, path.standard_error);
   CAPTURE(generic.mean, path.mean, error);
   CHECK(error < 0.01 * path.mean);
@@ -138,9 +140,9 @@ TEST_CASE("a pane in a mixture lets lamps through like the pane itself", "[radio
   lamp.form = PointLamp{{0.0, 0.0, 4.0}};
   lamp.flux = spectral::Curve::constant(100.0);
   scene.lamps.push_back(lamp);
-  const Estimate seen =
-      measure(scene.build(), one_lane, {{3.0, 0.0, 1.5}, normalised({-3.0, 0.0, -1.5})}, 16, 256)
-          .lanes[0];
+  const Estimate seen = measure(scene.build(), one_lane_relief,
+                                {{3.0, 0.0, 1.5}, normalised({-3.0, 0.0, -1.5})}, 16, 256)
+                            .lanes[0];
   const double through = mixed ? 0.4 : 0.8;
   const double direct =
       0.5 * std::numbers::inv_pi * through * 100.0 / (4.0 * std::numbers::pi) / 16.0;

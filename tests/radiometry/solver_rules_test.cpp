@@ -11,7 +11,7 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes one_lane{{0.55_um}};
+const spectral::Lanes one_lane_solver_rules{{0.55_um}};
 
 TEST_CASE("quads have equal solid angle and cover the hemisphere", "[radiometry]") {
   const QuadHemisphere quads{5, 7};
@@ -84,7 +84,7 @@ TEST_CASE("full samples and top-up come in the numbers that the settings say", "
   scene.sky(1.0);
   scene.solver = {
       .initial_sample_count = 7, .mu_samples = 3, .phi_samples = 4, .min_quad_samples = 2};
-  const Counters all = measure(scene.build(), one_lane, downward(), 2, 50).counters;
+  const Counters all = measure(scene.build(), one_lane_solver_rules, downward(), 2, 50).counters;
   CHECK(all.primary_rays == 100);
   CHECK(all.full_samples == 700);  // all rays leave to the sky: one generation only
   // Twelve quads hold at least two samples each; no quad's share of seven exceeds two.
@@ -99,7 +99,7 @@ TEST_CASE("targets are taken from the budget of full samples", "[radiometry]") {
   scene.add_body(90.0, 20.0, 0.266, 1.0);
   scene.add_body(90.0, -5.0, 0.266, 1.0);  // below the horizon: neither sampled nor charged
   scene.solver.initial_sample_count = 5;
-  const Counters all = measure(scene.build(), one_lane, downward(), 1, 10).counters;
+  const Counters all = measure(scene.build(), one_lane_solver_rules, downward(), 1, 10).counters;
   CHECK(all.target_rays == 20);
   CHECK(all.full_samples == 30);
 }
@@ -120,7 +120,7 @@ TEST_CASE("a dark surface is treated by the thresholds' own values", "[radiometr
     CAPTURE(c.reflectance);
     SmallScene scene = floor_and_wall(c.reflectance);
     scene.solver = {.initial_sample_count = 4, .mu_samples = 1, .phi_samples = 4};
-    const Counters all = measure(scene.build(), one_lane, downward(), 1, 64).counters;
+    const Counters all = measure(scene.build(), one_lane_solver_rules, downward(), 1, 64).counters;
     CHECK((all.full_samples > 0) == c.full);
     CHECK((all.full_samples + all.direct_only_samples > 0) == (c.full || c.direct_only));
     CHECK((all.raw_weight_skips > 0) == !(c.full || c.direct_only));
@@ -136,7 +136,7 @@ TEST_CASE("full samples lose weight from bounce to bounce until they are downgra
                   .max_bounces = 9,
                   .mu_samples = 2,
                   .phi_samples = 4};
-  const Counters all = measure(scene.build(), one_lane, downward(), 1, 200).counters;
+  const Counters all = measure(scene.build(), one_lane_solver_rules, downward(), 1, 200).counters;
   CHECK(all.full_weight_downgrades > 0);
   CHECK(all.bounce_limit_stops == 0);
 }
@@ -171,7 +171,8 @@ TEST_CASE("a sun half below the scene's horizon gives half its light", "[radiome
   scene.add_body(180.0, 0.0, 0.266, 1000.0);
   scene.solver.min_quad_samples = 0;
   scene.solver.initial_sample_count = 0;
-  const auto seen = measure(scene.build(), one_lane, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 64);
+  const auto seen =
+      measure(scene.build(), one_lane_solver_rules, {{0.0, -5.0, 0.0}, {0.0, 1.0, 0.0}}, 16, 64);
   // 64 scrambled points split an area in two to better than 1/64 each, 16 replicates average that.
   CHECK(seen.lanes[0].mean == Approx(500.0 * std::numbers::inv_pi).epsilon(0.01));
 }
@@ -184,7 +185,7 @@ TEST_CASE("a wide disc brings its irradiance on a plane normal to it", "[radiome
             scene.material(grey(1.0), Kelvin{0.0}));
   scene.add_body(0.0, 90.0, radius_deg, 1000.0);
   scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
-  const Estimate seen = measure(scene.build(), one_lane, downward(), 16, 64).lanes[0];
+  const Estimate seen = measure(scene.build(), one_lane_solver_rules, downward(), 16, 64).lanes[0];
   CAPTURE(radius_deg, seen.mean);
   CHECK(std::abs(seen.mean - 1000.0 * std::numbers::inv_pi) <
         4.0 * seen.standard_error + 1e-5 * seen.mean);
@@ -196,7 +197,7 @@ TEST_CASE("a budget that targets use up is counted", "[radiometry]") {
   scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
   scene.add_body(0.0, 50.0, 0.266, 1000.0);
   scene.solver.initial_sample_count = 1;
-  const Counters all = measure(scene.build(), one_lane, downward(), 1, 10).counters;
+  const Counters all = measure(scene.build(), one_lane_solver_rules, downward(), 1, 10).counters;
   CHECK(all.budget_stops == 10);
   CHECK(all.full_samples == 0);
 }
@@ -205,7 +206,7 @@ TEST_CASE("a dark body costs no rays", "[radiometry]") {
   SmallScene scene;
   scene.add(geometry::Plane{{0.0, 0.0, 0.0}, 10.0, 10.0}, scene.material(grey(0.5), Kelvin{0.0}));
   scene.add_body(0.0, 50.0, 0.266, 0.0);
-  CHECK(measure(scene.build(), one_lane, downward(), 1, 10).counters.target_rays == 0);
+  CHECK(measure(scene.build(), one_lane_solver_rules, downward(), 1, 10).counters.target_rays == 0);
 }
 
 TEST_CASE("the sun's disc is seen in part where an edge cuts it", "[radiometry]") {
@@ -216,7 +217,7 @@ TEST_CASE("the sun's disc is seen in part where an edge cuts it", "[radiometry]"
   scene.add(geometry::Box{{0.0, -500.0, 100.0}, {500.0, 500.0, 101.0}}, material);
   scene.add_body(0.0, 90.0, 0.266, 1000.0);
   scene.solver = {.initial_sample_count = 0, .min_quad_samples = 0};
-  const auto seen = measure(scene.build(), one_lane, downward(), 16, 64);
+  const auto seen = measure(scene.build(), one_lane_solver_rules, downward(), 16, 64);
   CHECK(seen.lanes[0].mean == Approx(500.0 * std::numbers::inv_pi).epsilon(0.01));
 }
 
@@ -233,7 +234,8 @@ TEST_CASE("interreflection in a corner does not depend on how samples are split 
                     .mu_samples = 2,
                     .phi_samples = 4,
                     .min_quad_samples = min_quad_samples};
-    const Estimate seen = measure(scene.build(), one_lane, downward(), 16, 64).lanes[0];
+    const Estimate seen =
+        measure(scene.build(), one_lane_solver_rules, downward(), 16, 64).lanes[0];
     CAPTURE(min_quad_samples, seen.mean, seen.standard_error);
     CHECK(seen.standard_error < 0.01 * seen.mean);
     if (min_quad_samples == 1) reference = seen.mean;

@@ -7,7 +7,7 @@
 namespace nadir::radiometry::test {
 namespace {
 
-const spectral::Lanes thermal_ir{{3.7_um, 8.5_um, 10.9_um, 12.0_um}};
+const spectral::Lanes thermal_ir_varying_temperature{{3.7_um, 8.5_um, 10.9_um, 12.0_um}};
 
 /// From 280 K at x = -50 m to 320 K at x = 50 m, linear in between.
 thermal::MappedTemperature warm_in_the_east() {
@@ -32,10 +32,11 @@ TEST_CASE("a surface emits at the temperature of the place that is seen", "[radi
   scene.method = method;
   scene.add(geometry::Plane{{}, 200.0, 100.0},
             scene.material(grey(reflectance), warm_in_the_east()));
-  const Measured seen = look_down_at(scene.build(), thermal_ir, x_m);
+  const Measured seen = look_down_at(scene.build(), thermal_ir_varying_temperature, x_m);
   const Kelvin there{300.0 + 0.4 * x_m};
-  for (int lane = 0; lane < thermal_ir.count(); ++lane) {
-    const double expected = (1.0 - reflectance) * spectral::planck(thermal_ir[lane], there).value;
+  for (int lane = 0; lane < thermal_ir_varying_temperature.count(); ++lane) {
+    const double expected =
+        (1.0 - reflectance) * spectral::planck(thermal_ir_varying_temperature[lane], there).value;
     CHECK(seen.lanes[static_cast<std::size_t>(lane)].mean == Approx(expected).epsilon(2e-4));
   }
 }
@@ -48,8 +49,8 @@ TEST_CASE("glossy surfaces, too, emit at the temperature of their place", "[radi
   SmallScene scene;
   scene.add(geometry::Plane{{}, 200.0, 100.0}, scene.material(metal, warm_in_the_east()));
   const auto built = scene.build();
-  const double cold = look_down_at(built, thermal_ir, -50.0).lanes[2].mean;
-  const double warm = look_down_at(built, thermal_ir, 50.0).lanes[2].mean;
+  const double cold = look_down_at(built, thermal_ir_varying_temperature, -50.0).lanes[2].mean;
+  const double warm = look_down_at(built, thermal_ir_varying_temperature, 50.0).lanes[2].mean;
   const auto black = [](double kelvin) { return spectral::planck(10.9_um, Kelvin{kelvin}).value; };
   CHECK(warm / cold == Approx(black(320.0) / black(280.0)).epsilon(2e-4));
 }
@@ -62,8 +63,8 @@ TEST_CASE("a neighbour's own temperature is what a mirror shows", "[radiometry]"
   warm.kelvin = {310.0F, 310.0F};
   // A black ceiling far wider than it is high fills the white floor's hemisphere but for 1e-4.
   scene.add(geometry::Plane{{0.0, 0.0, 5.0}, 1000.0, 1000.0}, scene.material(grey(0.0), warm));
-  const Measured seen =
-      measure(scene.build(), thermal_ir, {{0.0, 0.0, 4.0}, {0.0, 0.0, -1.0}}, 4, 16);
+  const Measured seen = measure(scene.build(), thermal_ir_varying_temperature,
+                                {{0.0, 0.0, 4.0}, {0.0, 0.0, -1.0}}, 4, 16);
   const double black = spectral::planck(10.9_um, 310.0_K).value;
   CHECK(seen.lanes[2].mean == Approx(black).epsilon(1e-3));
 }

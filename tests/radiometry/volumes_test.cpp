@@ -13,7 +13,7 @@ namespace {
 
 using namespace volume_test;  // NOLINT: the helpers of these tests alone
 
-constexpr double pi = std::numbers::pi;
+constexpr double volumes_pi = std::numbers::pi;
 
 // Lanes are float: exp(-tau) carries the rounding of tau, 6e-8 tau.
 double lane_rounding(double tau) { return 4e-7 + 1.5e-7 * tau; }
@@ -119,7 +119,8 @@ TEST_CASE("light scattered once by a slab under a sun has its closed form",
   }
   for (int lane = 0; lane < 3; ++lane) {
     const double slant = 1.0 + 1.0 / 0.6;  // view straight down
-    const double exact = 0.6 / (4.0 * pi) / slant * -std::expm1(-tau * share_of(lane) * slant);
+    const double exact =
+        0.6 / (4.0 * volumes_pi) / slant * -std::expm1(-tau * share_of(lane) * slant);
     CAPTURE(tau, lane, gridded);
     CHECK(within_error(estimate[static_cast<std::size_t>(lane)], exact, 24));
   }

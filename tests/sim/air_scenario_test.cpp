@@ -13,11 +13,13 @@ namespace {
 using sim::LayeredAir;
 
 /// The minimal scenario with this air; its line is the seventh.
-std::string with_air(const std::string& air) { return replaced(minimal_text(), "<none/>", air); }
+std::string with_scenario_air(const std::string& air) {
+  return replaced(minimal_text(), "<none/>", air);
+}
 
 sim::AirInput air_of(const std::string& air) {
   Diagnostics diagnostics;
-  return sim::parse_scenario(with_air(air), data_folder() / "test.xml", diagnostics).air;
+  return sim::parse_scenario(with_scenario_air(air), data_folder() / "test.xml", diagnostics).air;
 }
 
 LayeredAir layered(const std::string& air) { return std::get<LayeredAir>(air_of(air)); }
@@ -125,7 +127,7 @@ TEST_CASE("a table of the air from elsewhere is named with its ground", "[scenar
   std::ofstream{folder / "day.air"} << "x";
   Diagnostics diagnostics;
   const auto scenario =
-      sim::parse_scenario(with_air("<table file=\"day.air\" ground_reflectance=\"0.2\"/>"),
+      sim::parse_scenario(with_scenario_air("<table file=\"day.air\" ground_reflectance=\"0.2\"/>"),
                           folder / "s.xml", diagnostics);
   const auto& air = std::get<sim::TableAir>(scenario.air);
   CHECK(air.file == folder / "day.air");
@@ -180,14 +182,14 @@ TEST_CASE("mistakes in the air are told where they stand", "[scenario][air]") {
   };
   for (const auto& [air, message] : mistakes) {
     CAPTURE(air);
-    CHECK(mistake_lines(with_air(air)) == message);
+    CHECK(mistake_lines(with_scenario_air(air)) == message);
   }
 }
 
 TEST_CASE("several mistakes in the air are told at once", "[scenario][air]") {
-  CHECK(mistake_lines(with_air("<layered streams=\"5\" ozone_du=\"1\" ozone_factor=\"1\">"
-                               "<urban_glow radiance=\"0\"/><urban_glow radiance=\"0\"/>"
-                               "</layered>")) ==
+  CHECK(mistake_lines(with_scenario_air("<layered streams=\"5\" ozone_du=\"1\" ozone_factor=\"1\">"
+                                        "<urban_glow radiance=\"0\"/><urban_glow radiance=\"0\"/>"
+                                        "</layered>")) ==
         "7:24: streams is 5, expected an even number\n"
         "7:49: give either ozone_du or ozone_factor, not both\n"
         "7:92: <layered> holds only one <urban_glow>; one stands in line 7 already\n");
@@ -213,11 +215,11 @@ TEST_CASE("the XML schema takes the forms of air that the reader takes", "[scena
   for (const auto& [air, good] : airs) {
     CAPTURE(air);
     const auto file = folder / "s.xml";
-    std::ofstream{file, std::ios::binary} << with_air(air);
+    std::ofstream{file, std::ios::binary} << with_scenario_air(air);
     const std::string xsd = std::string{NADIR_SOURCE_DIR} + "/scenes/schema/nadir.xsd";
     CHECK((std::system(("xmllint --noout --schema " + xsd + " " + file.string() + " 2>/dev/null")
                            .c_str()) == 0) == good);
-    CHECK(mistake_lines(with_air(air)).empty() == good);
+    CHECK(mistake_lines(with_scenario_air(air)).empty() == good);
   }
 }
 

@@ -40,7 +40,7 @@ double haze_humidity(const Layered& air, const Path& path) {
   return sum / depth;
 }
 
-Layered air_of(const Path& path) {
+Layered slant_air_of(const Path& path) {
   Layered air = lowtran_air(path.profile, path.haze);
   air.aerosol.visibility_km = path.visibility_km;
   air.aerosol.relative_humidity = haze_humidity(air, path);
@@ -94,15 +94,16 @@ class PathAir {
   std::vector<double> slant_;
 };
 
-struct Difference {
+struct AirSlantDifference {
   double rms = 0.0, worst = 0.0;
 };
 
 /// From 700 to 27,000 cm^-1, every `step`th point of the reference.
 template <class Transmittance>
-Difference compared(const Path& path, std::size_t step, const Transmittance& transmittance) {
+AirSlantDifference compared(const Path& path, std::size_t step,
+                            const Transmittance& transmittance) {
   const auto reference = atmosphere::support::lowtran7(path.name);
-  Difference difference;
+  AirSlantDifference difference;
   int count = 0;
   for (std::size_t i = 0; i < reference.wavenumber.size(); i += step) {
     const double v = reference.wavenumber[i];
@@ -133,10 +134,11 @@ TEST_CASE("Slant paths through hazy air let through what LOWTRAN7 says", "[sim][
       Path{"mls_urban5", "midlatitude_summer", AerosolType::urban, 5.0, 0.0, 0.0, endless},
       Path{"mls_rural23_60deg", "midlatitude_summer", AerosolType::rural, 23.0, 0.0, 60.0, endless},
       Path{"mls_air3km", "midlatitude_summer", AerosolType::rural, 23.0, 3e3, 150.0, endless});
-  const Layered air = air_of(path);
+  const Layered air = slant_air_of(path);
   const PathAir along{air, table_levels(air), path};
-  const Difference band = compared(path, 3, [&](double v) { return along.transmittance(v); });
-  const Difference terms = compared(path, 15, [&](double v) { return along.by_terms(v); });
+  const AirSlantDifference band =
+      compared(path, 3, [&](double v) { return along.transmittance(v); });
+  const AirSlantDifference terms = compared(path, 15, [&](double v) { return along.by_terms(v); });
   CAPTURE(path.name, band.rms, band.worst, terms.rms, terms.worst);
   CHECK(band.rms < 5e-4);
   CHECK(band.worst < 0.007);
@@ -145,12 +147,13 @@ TEST_CASE("Slant paths through hazy air let through what LOWTRAN7 says", "[sim][
 }
 
 TEST_CASE("A level path lets through what LOWTRAN7 says", "[sim][air]") {
-  const Layered air = air_of(level_path);
+  const Layered air = slant_air_of(level_path);
   // 5 km along the ground rise by 2 m: thin layers there give the air at sea level.
   std::vector<double> levels = table_levels(air);
   for (const double z : {10.0, 3.0}) levels.insert(levels.end() - 1, z);
   const PathAir thin{air, levels, level_path};
-  const Difference band = compared(level_path, 3, [&](double v) { return thin.transmittance(v); });
+  const AirSlantDifference band =
+      compared(level_path, 3, [&](double v) { return thin.transmittance(v); });
   CAPTURE(band.rms, band.worst);
   CHECK(band.rms < 5e-4);
   CHECK(band.worst < 0.007);
@@ -158,13 +161,13 @@ TEST_CASE("A level path lets through what LOWTRAN7 says", "[sim][air]") {
 
 TEST_CASE("A table's lowest layer is thin enough for level views at the ground", "[sim][air]") {
   // 30 m at 23 km visibility: 0.8 % less of the haze than at the ground itself.
-  const Layered air = air_of(level_path);
+  const Layered air = slant_air_of(level_path);
   const PathAir coarse{air, table_levels(air), level_path};
   const double at_ground = 5.0 * (3.912 / 23.0);  // Koschmieder, with the air's own scattering
   const double passed = coarse.transmittance(1e4 / 0.55);
   CAPTURE(passed, std::exp(-at_ground));
   CHECK(passed == Approx(std::exp(-at_ground)).epsilon(0.01));
-  const Difference band =
+  const AirSlantDifference band =
       compared(level_path, 7, [&](double v) { return coarse.transmittance(v); });
   CHECK(band.worst < 0.007);
 }

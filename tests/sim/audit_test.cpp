@@ -22,8 +22,8 @@ ProbedPixel pixel_of(int sample, const std::vector<double>& replicates) {
 
 const CameraNames one_band{{"a", {"b"}}};
 
-AuditReport compared(const std::vector<ProbedPixel>& dropped,
-                     const std::vector<ProbedPixel>& complete, double floor = 0.0) {
+AuditReport compared_audit(const std::vector<ProbedPixel>& dropped,
+                           const std::vector<ProbedPixel>& complete, double floor = 0.0) {
   AuditReport report;
   report.budget = 0.01;
   compare_pixels(dropped, complete, {{floor}}, one_band, report);
@@ -49,7 +49,7 @@ AuditReport audited(SmallRun& small, std::optional<int> pixels, double run_cpu_s
 TEST_CASE("equal pixels are within any budget", "[sim][audit]") {
   const std::vector<ProbedPixel> pixels{pixel_of(0, {1.0, 2.0, 3.0, 4.0}),
                                         pixel_of(1, {0.0, 0.0, 0.0, 0.0})};
-  const AuditReport report = compared(pixels, pixels);
+  const AuditReport report = compared_audit(pixels, pixels);
   CHECK(report.pixels == 2);
   CHECK(report.largest == 0.0);
   CHECK(report.beyond == 0);
@@ -62,7 +62,7 @@ TEST_CASE("an audit finds the largest difference, its place and its error", "[si
                                          pixel_of(7, {1.9, 2.1, 2.0, 2.0})};
   const std::vector<ProbedPixel> complete{pixel_of(3, {1.005, 1.005, 1.005, 1.005}),
                                           pixel_of(7, {2.0, 2.2, 2.0, 2.2})};
-  const AuditReport report = compared(dropped, complete);
+  const AuditReport report = compared_audit(dropped, complete);
   // The differences are 0.1, 0.1, 0, 0.2: mean 0.1, standard error sqrt(0.02 / 3) / 2, of 2.1.
   CHECK(report.largest == Approx(0.1 / 2.1).epsilon(1e-12));
   CHECK(report.largest_error == Approx(0.5 * std::sqrt(0.02 / 3.0) / 2.1).epsilon(1e-12));
@@ -76,16 +76,16 @@ TEST_CASE("an audit finds the largest difference, its place and its error", "[si
 TEST_CASE("differences of dark pixels count against the floor", "[sim][audit]") {
   const std::vector<ProbedPixel> dropped{pixel_of(0, {0.0, 0.0, 0.0, 0.0})};
   const std::vector<ProbedPixel> complete{pixel_of(0, {0.02, 0.02, 0.02, 0.02})};
-  CHECK(compared(dropped, complete, 10.0).beyond == 0);
-  CHECK(compared(dropped, complete, 1.0).surely_beyond == 1);
-  CHECK(compared(dropped, complete, 1.0).largest == Approx(0.02).epsilon(1e-12));
+  CHECK(compared_audit(dropped, complete, 10.0).beyond == 0);
+  CHECK(compared_audit(dropped, complete, 1.0).surely_beyond == 1);
+  CHECK(compared_audit(dropped, complete, 1.0).largest == Approx(0.02).epsilon(1e-12));
 }
 
 TEST_CASE("a radiance that is not a number is beyond any budget", "[sim][audit]") {
   const std::vector<ProbedPixel> good{pixel_of(0, {1.0, 1.0, 1.0, 1.0})};
   const std::vector<ProbedPixel> bad{pixel_of(0, {NAN, 1.0, 1.0, 1.0})};
-  CHECK(compared(good, bad).surely_beyond == 1);
-  CHECK(compared(bad, good).surely_beyond == 1);
+  CHECK(compared_audit(good, bad).surely_beyond == 1);
+  CHECK(compared_audit(bad, good).surely_beyond == 1);
 }
 
 TEST_CASE("an audit finds an effect that was wrongly dropped", "[sim][audit]") {

@@ -76,12 +76,12 @@ TEST_CASE("standard profiles have the columns that are known of them", "[sim][ga
 }
 
 /// Differences from LOWTRAN7 over 700 to 27,000 cm^-1: rms and largest.
-struct Difference {
+struct BandTablesDifference {
   double rms = 0.0, worst = 0.0;
 };
 template <class Transmittance>
-Difference difference(const atmosphere::support::Reference& reference, std::size_t every,
-                      Transmittance of) {
+BandTablesDifference difference(const atmosphere::support::Reference& reference, std::size_t every,
+                                Transmittance of) {
   double squares = 0.0, worst = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < reference.wavenumber.size(); i += every) {
@@ -106,14 +106,14 @@ TEST_CASE("the clear vertical air transmits as LOWTRAN7's does", "[sim][gases]")
   };
   const auto reference = atmosphere::support::lowtran7(name + "_clear");
   const std::vector<double> vertical(static_cast<std::size_t>(gas.layers()), 1.0);
-  const Difference band = difference(reference, 1, [&](Micrometres at) {
+  const BandTablesDifference band = difference(reference, 1, [&](Micrometres at) {
     return gas.band_transmittance(at, vertical) * rayleigh(at);
   });
   // Measured 1.9e-4 to 3.4e-4, at most 0.0037: rounding and layers of LOWTRAN7.
   CHECK(band.rms < 4e-4);
   CHECK(band.worst < 0.0045);
   // With the sums' own tolerance; every seventh wavenumber, for time.
-  const Difference terms = difference(reference, 7, [&](Micrometres at) {
+  const BandTablesDifference terms = difference(reference, 7, [&](Micrometres at) {
     double passed = 0.0;
     for (const AbsorptionTerm& term : gas.terms(at, at, 5e-4)) {
       passed += term.weight * std::exp(-std::accumulate(term.depth.begin(), term.depth.end(), 0.0));

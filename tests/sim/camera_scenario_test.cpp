@@ -3,11 +3,11 @@
 
 using namespace nadir;
 using namespace nadir::sim;
-using test::green_band;
-using test::mistake_lines;
-using test::read_text;
-using test::with_array;
-using test::with_camera;
+using nadir::test::green_band;
+using nadir::test::mistake_lines;
+using nadir::test::read_text;
+using nadir::test::with_array;
+using nadir::test::with_camera;
 
 namespace {
 
@@ -185,7 +185,8 @@ TEST_CASE("published figures of noise arrive in the plain data", "[scenario][cam
 }
 
 TEST_CASE("exposures fit into their periods", "[scenario][camera][mistakes]") {
-  CHECK(test::mistakes(with_array(R"(<pushbroom line_period_ms="4.4" exposure_ms="5"/>)" + band)) ==
+  CHECK(nadir::test::mistakes(
+            with_array(R"(<pushbroom line_period_ms="4.4" exposure_ms="5"/>)" + band)) ==
         R"(test.xml:21:33: error: exposure_ms is 5, longer than line_period_ms, which is 4.4
     21 | <pushbroom line_period_ms="4.4" exposure_ms="5"/><band_box name="g" lo_um="0.5" hi_um="0.6"/>
        |                                 ^

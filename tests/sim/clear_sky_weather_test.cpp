@@ -59,7 +59,7 @@ double most(const thermal::TimeSeries& series) {
   return *std::max_element(series.value.begin(), series.value.end());
 }
 
-bool told(const Made& made, const std::string& what) {
+bool told_clear_sky_weather(const Made& made, const std::string& what) {
   return std::any_of(made.messages.begin(), made.messages.end(),
                      [&](const std::string& m) { return m.find(what) != std::string::npos; });
 }
@@ -124,7 +124,8 @@ TEST_CASE("uniform air keeps its figures through the day, with a warning", "[sim
   air.sky_radiance = {10.0, {}};
   air.sky_temperature_k = 260.0;
   const Made made = make(site("2026-03-20T12:00:00Z", air));
-  CHECK(told(made, "scenario.xml:7:5: uniform air is given for one height of the sun"));
+  CHECK(told_clear_sky_weather(made,
+                               "scenario.xml:7:5: uniform air is given for one height of the sun"));
   const thermal::WeatherState noon = made.weather.at(0.0);
   const double distance = 0.9961;  // au, March 20
   CHECK(noon.direct_normal_w_m2 == Approx(0.7 * 1343.1 / (distance * distance)).epsilon(1e-3));
@@ -152,7 +153,7 @@ TEST_CASE("a table of the air from elsewhere is stood in for, with a warning", "
   table.where = {"scenario.xml", 3, 3};
   table.file = "not-even-read.csv";
   const Made made = make(site("2026-06-21T12:00:00Z", table));
-  CHECK(told(made, "scenario.xml:3:3: a table of the air"));
+  CHECK(told_clear_sky_weather(made, "scenario.xml:3:3: a table of the air"));
   CHECK(made.weather.at(0.0).direct_normal_w_m2 > 700.0);
   CHECK(made.weather.at(0.0).direct_normal_w_m2 < 850.0);
 }
@@ -162,7 +163,7 @@ TEST_CASE("a sun given in one band only is completed by the library's", "[sim][w
   SECTION("one number") {
     scenario.illumination = ComputedSky{SpectralInput{1000.0, {}}, {}};
     const Made made = make(scenario);
-    CHECK(told(made, "does not tell all sunlight"));
+    CHECK(told_clear_sky_weather(made, "does not tell all sunlight"));
     CHECK(made.weather.at(0.0).direct_normal_w_m2 > 1290.0);
   }
   SECTION("a dark sun stays dark") {

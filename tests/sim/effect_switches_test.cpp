@@ -27,7 +27,7 @@ sensor::DetectorArray box_array(double lo_um, double hi_um) {
 }
 
 /// A plate under fast layered air and the sun, seen by a visible and a thermal array.
-sim::Scenario two_arrays() {
+sim::Scenario effect_switches_two_arrays() {
   std::string text = replaced(minimal_text(), "<none/>", "<layered mode=\"fast\"/>");
   text = replaced(text, "<fixed/>",
                   "<fixed><body name=\"sun\" azimuth_deg=\"180\" elevation_deg=\"45\" "
@@ -51,7 +51,7 @@ struct Solved {
 Solved solved(const std::vector<EffectSet>& effects) {
   Diagnostics diagnostics;
   sim::InputFiles files;
-  const sim::Scenario scenario = two_arrays();
+  const sim::Scenario scenario = effect_switches_two_arrays();
   sim::World world = sim::load_world(scenario, files, diagnostics);
   const sim::ReportValues values =
       sim::finish_air(world, scenario.sampling, diagnostics, {false, {}}, effects);
@@ -128,7 +128,8 @@ TEST_CASE("where no array needs the air there is none", "[sim][effect]") {
 TEST_CASE("what is left out is part of the key of the air's table", "[sim][effect]") {
   Diagnostics diagnostics;
   sim::InputFiles files;
-  const sim::LayeredTask task = *sim::load_air_task(two_arrays(), files, diagnostics)->layered;
+  const sim::LayeredTask task =
+      *sim::load_air_task(effect_switches_two_arrays(), files, diagnostics)->layered;
   const std::vector<sensor::DetectorArray> arrays{box_array(0.5, 0.6)};
   const sim::AirLanes nodes = sim::air_nodes(arrays, 1);
   std::set<std::string> keys;

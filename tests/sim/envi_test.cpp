@@ -16,7 +16,7 @@ namespace {
 const std::vector<float> first{1.5F, -2.0F, 3.25e-9F, 4.0F, 5.0F, 6.0F};
 const std::vector<float> second{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F};
 
-EnviHeader header() {
+EnviHeader envi_header() {
   EnviHeader h;
   h.samples = 3;
   h.lines = 2;
@@ -37,7 +37,7 @@ std::vector<std::span<const float>> planes() { return {first, second}; }
 TEST_CASE("an ENVI image reads back bit by bit with its header", "[sim][envi]") {
   const ScratchFolder folder;
   const auto file = folder / "a.b_radiance.img";
-  write_envi(file, header(), planes());
+  write_envi(file, envi_header(), planes());
   CHECK(folder.entries() == 2);
 
   const EnviImage read = read_envi(file);
@@ -48,14 +48,14 @@ TEST_CASE("an ENVI image reads back bit by bit with its header", "[sim][envi]") 
   CHECK(read.header.description == "radiance, at the aperture");
   CHECK(read.header.acquisition_time == "2026-06-21T16:00:00Z");
   CHECK(read.header.data_units == "W m-2 sr-1 um-1");
-  CHECK(read.header.band_names == header().band_names);
-  CHECK(read.header.wavelength_um == header().wavelength_um);  // exact: shortest digits
-  CHECK(read.header.fwhm_um == header().fwhm_um);
+  CHECK(read.header.band_names == envi_header().band_names);
+  CHECK(read.header.wavelength_um == envi_header().wavelength_um);  // exact: shortest digits
+  CHECK(read.header.fwhm_um == envi_header().fwhm_um);
 }
 
 TEST_CASE("an ENVI image lies band after band in little endian", "[sim][envi]") {
   const ScratchFolder folder;
-  write_envi(folder / "x.img", header(), planes());
+  write_envi(folder / "x.img", envi_header(), planes());
   const std::string bytes = content_of(folder / "x.img");
   REQUIRE(bytes.size() == 48);
   CHECK(bytes.substr(0, 4) == std::string("\x00\x00\xC0\x3F", 4));   // 1.5
@@ -64,7 +64,7 @@ TEST_CASE("an ENVI image lies band after band in little endian", "[sim][envi]") 
 
 TEST_CASE("an ENVI header says what readers look for", "[sim][envi]") {
   const ScratchFolder folder;
-  write_envi(folder / "x.img", header(), planes());
+  write_envi(folder / "x.img", envi_header(), planes());
   CHECK(content_of(folder / "x.hdr") ==
         "ENVI\n"
         "description = {radiance, at the aperture}\n"
@@ -84,7 +84,7 @@ TEST_CASE("an ENVI header says what readers look for", "[sim][envi]") {
 TEST_CASE("ids keep their numbers and their classes' names", "[sim][envi]") {
   const ScratchFolder folder;
   const std::vector<std::uint32_t> ids{0, 1, 2, 4'000'000'000, 1, 0};
-  EnviHeader h = header();
+  EnviHeader h = envi_header();
   h.wavelength_um = h.fwhm_um = {};
   h.data_units = {};
   h.band_names = {"material"};
@@ -99,10 +99,10 @@ TEST_CASE("ids keep their numbers and their classes' names", "[sim][envi]") {
 
 TEST_CASE("an ENVI image whose sizes disagree is not written", "[sim][envi]") {
   const ScratchFolder folder;
-  EnviHeader wrong = header();
+  EnviHeader wrong = envi_header();
   wrong.lines = 3;
   CHECK_THROWS_AS(write_envi(folder / "x.img", wrong, planes()), std::invalid_argument);
-  wrong = header();
+  wrong = envi_header();
   wrong.wavelength_um = {0.5};
   CHECK_THROWS_AS(write_envi(folder / "x.img", wrong, planes()), std::invalid_argument);
   CHECK(folder.entries() == 0);
@@ -111,7 +111,7 @@ TEST_CASE("an ENVI image whose sizes disagree is not written", "[sim][envi]") {
 TEST_CASE("a cut ENVI image and a wrong header are refused", "[sim][envi]") {
   const ScratchFolder folder;
   const auto file = folder / "x.img";
-  write_envi(file, header(), planes());
+  write_envi(file, envi_header(), planes());
   std::filesystem::resize_file(file, 47);
   CHECK(support::message_of([&] {
           static_cast<void>(read_envi(file));
@@ -132,9 +132,9 @@ TEST_CASE("a cut ENVI image and a wrong header are refused", "[sim][envi]") {
 
 TEST_CASE("an ENVI image written in strips has the bytes of one written at once", "[sim][envi]") {
   const ScratchFolder folder;
-  write_envi(folder / "whole.img", header(), planes());
+  write_envi(folder / "whole.img", envi_header(), planes());
   {
-    EnviWriter writer{folder / "strips.img", header(), EnviType::float32, 2};
+    EnviWriter writer{folder / "strips.img", envi_header(), EnviType::float32, 2};
     for (const int line : {0, 1}) {
       for (std::size_t plane = 0; plane < 2; ++plane) {
         writer.write(plane, planes()[plane].subspan(3 * static_cast<std::size_t>(line), 3));
@@ -150,7 +150,7 @@ TEST_CASE("an ENVI image written in strips has the bytes of one written at once"
 
 TEST_CASE("planes of an ENVI image may come one before the other", "[sim][envi]") {
   const ScratchFolder folder;
-  EnviWriter writer{folder / "x.img", header(), EnviType::float32, 2};
+  EnviWriter writer{folder / "x.img", envi_header(), EnviType::float32, 2};
   writer.write(1, planes()[1]);
   writer.write(0, planes()[0]);
   writer.commit();
@@ -162,7 +162,7 @@ TEST_CASE("an ENVI image that lacks lines gets no name, and more lines are refus
           "[sim][envi]") {
   const ScratchFolder folder;
   {
-    EnviWriter writer{folder / "x.img", header(), EnviType::float32, 2};
+    EnviWriter writer{folder / "x.img", envi_header(), EnviType::float32, 2};
     writer.write(0, planes()[0]);
     CHECK_THROWS_AS(writer.write(0, planes()[0].subspan(0, 3)), std::invalid_argument);
     CHECK_THROWS_AS(writer.write(1, planes()[0].subspan(0, 2)), std::invalid_argument);
@@ -177,7 +177,7 @@ TEST_CASE("an ENVI image that lacks lines gets no name, and more lines are refus
 
 TEST_CASE("doubles and short numbers keep their bits and their scale", "[sim][envi]") {
   const ScratchFolder folder;
-  EnviHeader h = header();
+  EnviHeader h = envi_header();
   h.gains = {0.1, 1.0 / 3.0};
   h.offsets = {-0.5, 0.0};
   const std::vector<std::uint16_t> low{0, 1, 4095, 65535, 7, 8}, high{6, 5, 4, 3, 2, 1};
@@ -190,7 +190,7 @@ TEST_CASE("doubles and short numbers keep their bits and their scale", "[sim][en
   CHECK(content_of(folder / "dn.hdr").find("data type = 12\n") != std::string::npos);
 
   const std::vector<double> latitude{46.123456789012345, -89.9, 0.0, 1.0, 2.0, 1e-300};
-  h = header();
+  h = envi_header();
   h.band_names = {"latitude (deg)"};
   h.wavelength_um = h.fwhm_um = {};
   write_envi(folder / "place.img", h, std::vector<std::span<const double>>{latitude});
@@ -200,7 +200,7 @@ TEST_CASE("doubles and short numbers keep their bits and their scale", "[sim][en
 
 TEST_CASE("some lines of an ENVI plane can be read alone", "[sim][envi]") {
   const ScratchFolder folder;
-  write_envi(folder / "x.img", header(), planes());
+  write_envi(folder / "x.img", envi_header(), planes());
   EnviReader reader{folder / "x.img"};
   CHECK(reader.planes() == 2);
   CHECK(reader.type() == EnviType::float32);

@@ -12,7 +12,7 @@
 namespace nadir::sim {
 namespace {
 
-std::string header(const std::string& type, const std::string& sizes = "2 1 3") {
+std::string grid_header(const std::string& type, const std::string& sizes = "2 1 3") {
   return "NRRD0004\n# from a plume model\ntype: " + type + "\ndimension: 3\nsizes: " + sizes +
          "\nspacings: 1 1 2\nendian: little\nencoding: raw\nauthor:=nobody\n\n";
 }
@@ -50,9 +50,9 @@ TEST_CASE("a grid is read from every type of number, the first axis fastest", "[
     for (const double value : values) numbers.push_back(static_cast<decltype(zero)>(value));
     return bytes_of(numbers);
   };
-  for (const std::string& file :
-       {header("float") + as(0.0F), header("double") + as(0.0),
-        header("uint8") + as(std::uint8_t{}), header("unsigned short") + as(std::uint16_t{})}) {
+  for (const std::string& file : {grid_header("float") + as(0.0F), grid_header("double") + as(0.0),
+                                  grid_header("uint8") + as(std::uint8_t{}),
+                                  grid_header("unsigned short") + as(std::uint16_t{})}) {
     const auto grid = parse_grid(file, "plume.nrrd");
     CHECK(grid.columns == 2);
     CHECK(grid.rows == 1);
@@ -90,13 +90,13 @@ TEST_CASE("mistakes of a grid's header are all found, with line and column", "[s
 
 TEST_CASE("a grid's data must fill it with finite, non-negative values", "[sim][grid]") {
   const std::vector<float> five(5, 1.0F);
-  CHECK(mistakes(header("float") + bytes_of(five)) ==
+  CHECK(mistakes(grid_header("float") + bytes_of(five)) ==
         "0:0: the header promises 2 x 1 x 3 = 6 values of 4 bytes, 24 in all; 20 bytes follow "
         "it\n");
   std::vector<double> values(6, 1.0);
   values[3] = -0.5;
   values[4] = 1e300;
-  CHECK(mistakes(header("double") + bytes_of(values)) ==
+  CHECK(mistakes(grid_header("double") + bytes_of(values)) ==
         "0:0: the value in column 2, row 1, layer 2 is -0.5; it must be finite and not negative\n"
         "0:0: the value in column 1, row 1, layer 3 is 1e+300; it must be finite and not "
         "negative\n");

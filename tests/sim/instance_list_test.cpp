@@ -10,7 +10,7 @@ using namespace nadir::sim;
 
 namespace {
 
-std::vector<InputIssue> issues_of(const std::string& text) {
+std::vector<InputIssue> instance_list_issues_of(const std::string& text) {
   try {
     (void)parse_instance_list(text, "trees.csv");
   } catch (const InputError& error) {
@@ -103,7 +103,8 @@ TEST_CASE("a list in a list is flattened by composing its placements") {
 }
 
 TEST_CASE("all mistakes in a list have their places") {
-  const auto issues = issues_of("east_m,north_m,scale\n1,2,x\n1,2\n1,,1\n1,2,0\n1e999, 1,5 \n");
+  const auto issues =
+      instance_list_issues_of("east_m,north_m,scale\n1,2,x\n1,2\n1,,1\n1,2,0\n1e999, 1,5 \n");
   REQUIRE(issues.size() == 5);
   const int places[5][2] = {{2, 5}, {3, 1}, {4, 3}, {5, 5}, {6, 1}};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -116,13 +117,13 @@ TEST_CASE("all mistakes in a list have their places") {
 }
 
 TEST_CASE("a list with wrong columns says which are right") {
-  auto issues = issues_of("east_m,nort_m,yaw\n1,2,3\n");
+  auto issues = instance_list_issues_of("east_m,nort_m,yaw\n1,2,3\n");
   REQUIRE(issues.size() == 3);
   CHECK(issues[0].hint == "did you mean \"north_m\"?");
   CHECK(issues[0].where.column == 8);
   CHECK(issues[2].message == "the column \"north_m\" is missing");
-  CHECK(issues_of("east_m,north_m,east_m\n").size() == 1);
-  CHECK(issues_of("east_m,north_m,scale,scale_x\n").size() == 1);
-  CHECK(issues_of("").size() == 1);
+  CHECK(instance_list_issues_of("east_m,north_m,east_m\n").size() == 1);
+  CHECK(instance_list_issues_of("east_m,north_m,scale,scale_x\n").size() == 1);
+  CHECK(instance_list_issues_of("").size() == 1);
   CHECK_THROWS_AS(read_instance_list("/nowhere/trees.csv"), InputError);
 }

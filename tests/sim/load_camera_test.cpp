@@ -16,7 +16,7 @@ using test::with_array;
 
 namespace {
 
-const std::string band = green_band;
+const std::string camera_band = green_band;
 
 Camera load(const Scenario& scenario) {
   InputFiles files;
@@ -25,8 +25,9 @@ Camera load(const Scenario& scenario) {
 
 Camera load_text(const std::string& text) { return load(test::read_text(text)); }
 
-sensor::DetectorArray array_with(const std::string& inside, const std::string& attributes = {}) {
-  return load_text(with_array(inside + band, attributes)).arrays.at(0);
+sensor::DetectorArray array_with_camera(const std::string& inside,
+                                        const std::string& attributes = {}) {
+  return load_text(with_array(inside + camera_band, attributes)).arrays.at(0);
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -36,7 +37,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 TEST_CASE("a plain frame is loaded as it always was", "[run][load_camera]") {
-  const Camera camera = load_text(with_array(band, R"(offset_x_um="100")"));
+  const Camera camera = load_text(with_array(camera_band, R"(offset_x_um="100")"));
   const sensor::DetectorArray& array = camera.arrays.at(0);
   CHECK(std::get<sensor::Perspective>(array.projection).focal_length_m == 50.0 * 1e-3);
   CHECK(std::get<sensor::Perspective>(array.projection).distortion.is_none());
@@ -52,7 +53,7 @@ TEST_CASE("a plain frame is loaded as it always was", "[run][load_camera]") {
 
 TEST_CASE("lengths and times arrive in metres and seconds", "[run][load_camera]") {
   // products of two doubles each: equal to the last digit or two
-  const auto push = array_with(
+  const auto push = array_with_camera(
       R"(<pushbroom line_period_ms="4" exposure_ms="3" tdi_stages="3" tdi_direction="behind"/>
       <module first_sample="0" samples="100" offset_x_um="1" offset_y_um="-2" rotation_deg="0.1"/>)",
       R"(pitch_y_um="12" fill_x="0.9")");
@@ -66,19 +67,20 @@ TEST_CASE("lengths and times arrive in metres and seconds", "[run][load_camera]"
   CHECK(push.timing.tdi_reversed);
   CHECK(push.modules.at(0).offset_y_m == Approx(-2e-6).epsilon(1e-14));
   CHECK(push.modules.at(0).rotation_rad == Approx(0.1 * std::acos(-1.0) / 180.0).epsilon(1e-14));
-  const auto whisk = array_with(R"(<whiskbroom sample_period_us="333" scan_period_ms="1477"
+  const auto whisk = array_with_camera(R"(<whiskbroom sample_period_us="333" scan_period_ms="1477"
       lines_per_scan="10" exposure_us="323"/>)");
   const auto& scan = std::get<sensor::Whiskbroom>(whisk.timing.scan);
   CHECK(scan.sample_period_s == Approx(333e-6).epsilon(1e-14));
   CHECK(scan.scan_period_s == Approx(1.477).epsilon(1e-14));
   CHECK(scan.lines_per_scan == 10);
   CHECK(whisk.timing.exposure_s == Approx(323e-6).epsilon(1e-14));
-  const auto rolling = array_with(R"(<bolometer time_constant_ms="9" line_period_us="32"/>)");
+  const auto rolling =
+      array_with_camera(R"(<bolometer time_constant_ms="9" line_period_us="32"/>)");
   CHECK(rolling.timing.lag_s == Approx(9e-3).epsilon(1e-14));
   CHECK(rolling.timing.exposure_s == 0.0);
   CHECK(std::get<sensor::RollingShutter>(rolling.timing.scan).line_period_s ==
         Approx(32e-6).epsilon(1e-14));
-  const auto frozen = array_with(R"(<bolometer time_constant_ms="9" start_s="2"/>)");
+  const auto frozen = array_with_camera(R"(<bolometer time_constant_ms="9" start_s="2"/>)");
   CHECK(std::get<sensor::GlobalShutter>(frozen.timing.scan).centre_s == 2.0);
 }
 
@@ -86,9 +88,10 @@ TEST_CASE("offsets count from the principal point", "[run][load_camera]") {
   const Camera camera = load_text(test::with_camera(
       R"(<perspective focal_length_mm="5.4" k1="-0.1" principal_x_um="12" principal_y_um="-7">
         <array name="a" samples="100" lines="40" pitch_um="10" offset_x_um="20">)" +
-      band + R"(</array><array name="b" samples="100" lines="40" pitch_um="10" own_lens="true">
+      camera_band +
+      R"(</array><array name="b" samples="100" lines="40" pitch_um="10" own_lens="true">
         <lens focal_length_mm="8" principal_x_um="1"/>)" +
-      band + "</array></perspective>"));
+      camera_band + "</array></perspective>"));
   CHECK(camera.arrays[0].offset_x_m == Approx(8e-6).epsilon(1e-14));
   CHECK(camera.arrays[0].offset_y_m == Approx(7e-6).epsilon(1e-14));
   CHECK(std::get<sensor::Perspective>(camera.arrays[0].projection).distortion.k1 == -0.1);
@@ -102,9 +105,10 @@ TEST_CASE("the span covers the exposures of all arrays", "[run][load_camera]") {
   const Camera camera = load_text(test::with_camera(
       R"(<perspective focal_length_mm="50"><array name="a" samples="9" lines="101" pitch_um="10">
         <pushbroom line_period_ms="10" exposure_ms="4"/>)" +
-      band + R"(</array><array name="b" samples="9" lines="11" pitch_um="10" offset_y_um="100">
+      camera_band +
+      R"(</array><array name="b" samples="9" lines="11" pitch_um="10" offset_y_um="100">
         <pushbroom line_period_ms="10" start_s="3"/>)" +
-      band + "</array></perspective>"));
+      camera_band + "</array></perspective>"));
   const sensor::TimeSpan span = span_of(camera.arrays);
   // half a line before the first line's centre, half a line after the last one's
   CHECK(span.first_s == Approx(-0.505).epsilon(1e-12));
@@ -158,7 +162,7 @@ TEST_CASE("a dark current that fills the well is told where the detector stands"
     return message_of([&] {
       (void)load_text(with_array(R"(<optics f_number="2.8"/><global_shutter exposure_ms="1"/>
       <photon_detector efficiency="0.6" dark_e_s=")" +
-                                 dark_e_s + R"(" full_well_e="3e4"/>)" + band));
+                                 dark_e_s + R"(" full_well_e="3e4"/>)" + camera_band));
     });
   };
   CHECK(dark("1e7") == "(nothing thrown)");  // 1e4 electrons
@@ -208,7 +212,7 @@ TEST_CASE("MODIS's typical radiances are those of its bands at 300 K", "[run][lo
 }
 
 TEST_CASE("blur is made ready for the bands", "[run][load_camera]") {
-  const auto array = array_with(R"(<optics f_number="4" obscuration="0.3"/><diffraction/>
+  const auto array = array_with_camera(R"(<optics f_number="4" obscuration="0.3"/><diffraction/>
       <gaussian_blur sigma_x_um="3"/><stray_light share="0.01" core_um="50" reach_um="4000"/>)");
   REQUIRE(array.spread != nullptr);
   const sensor::SpreadDescription& description = array.spread->description();
@@ -228,7 +232,7 @@ TEST_CASE("a measured point spread and measured lines of sight are read", "[run]
         test::with_camera(
             "<lines_of_sight>\n<array name=\"a\" samples=\"100\" lines=\"40\" pitch_um=\"10\" "
             "file=\"views.csv\">" +
-            inside + band + "</array></lines_of_sight>"),
+            inside + camera_band + "</array></lines_of_sight>"),
         folder / "scenario.xml", diagnostics);
   };
   const std::string row = R"(<pushbroom line_period_ms="1"/><blur_table file="psf.csv"/>)";

@@ -18,19 +18,20 @@ using test::replaced;
 namespace {
 
 /// The minimal scenario with these lamps; they begin in line 14.
-std::string with(const std::string& lamps) {
+std::string with_lamps(const std::string& lamps) {
   return replaced(minimal_text(), "  <platform>", "<lamps>\n" + lamps + "\n</lamps>\n  <platform>");
 }
 
-LoadedLamps load(const std::string& lamps, const std::filesystem::path& folder = "/tmp") {
+LoadedLamps load_lamps(const std::string& lamps, const std::filesystem::path& folder = "/tmp") {
   Diagnostics diagnostics;
   InputFiles files;
-  return load_lamps(parse_scenario(with(lamps), folder / "test.xml", diagnostics), {}, 7, files);
+  return load_lamps(parse_scenario(with_lamps(lamps), folder / "test.xml", diagnostics), {}, 7,
+                    files);
 }
 
 std::string load_error(const std::string& lamps, const std::filesystem::path& folder) {
   try {
-    (void)load(lamps, folder);
+    (void)load_lamps(lamps, folder);
     return {};
   } catch (const InputError& error) {
     std::string lines;
@@ -42,7 +43,7 @@ std::string load_error(const std::string& lamps, const std::filesystem::path& fo
   }
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
+void write_lamps(const std::filesystem::path& file, const std::string& text) {
   std::ofstream{file} << text;
 }
 
@@ -54,7 +55,7 @@ const std::string even_ies =
 }  // namespace
 
 TEST_CASE("lamps of all kinds are read and placed", "[sim][lamps]") {
-  const LoadedLamps loaded = load(
+  const LoadedLamps loaded = load_lamps(
       R"(<point_lamp name="bulb" east_m="1" north_m="2" up_m="3" flux_w_per_um="40"/>
 <spot_lamp up_m="8" axis="0 1 -1" half_angle_deg="60" cosine_power="2" lumens="5000" colour_temperature_k="3000"/>
 <area_lamp material="grey" up_m="5" yaw_deg="90" flux_w_per_um="9"><plane size_x_m="2" size_y_m="1"/></area_lamp>
@@ -86,10 +87,11 @@ TEST_CASE("lamps of all kinds are read and placed", "[sim][lamps]") {
 TEST_CASE("a photometric file brings its shape and, unless told otherwise, its lumens",
           "[sim][lamps]") {
   const test::TemporaryFolder folder;
-  write(folder / "a.ies", even_ies);
-  const LoadedLamps loaded = load(R"(<point_lamp up_m="9" ies="a.ies" colour_temperature_k="4000"/>
+  write_lamps(folder / "a.ies", even_ies);
+  const LoadedLamps loaded =
+      load_lamps(R"(<point_lamp up_m="9" ies="a.ies" colour_temperature_k="4000"/>
 <point_lamp up_m="9" ies="a.ies" axis="1 0 0" lumens="77" colour_temperature_k="4000"/>)",
-                                  folder / "");
+                 folder / "");
   CHECK(loaded.lamps[0].flux.factor == Approx(200.0 * std::numbers::pi).epsilon(1e-14));
   CHECK(loaded.lamps[1].flux.factor == 77.0);
   CHECK(loaded.lamps[0].flux.curve == loaded.lamps[1].flux.curve);  // shared
@@ -102,8 +104,9 @@ TEST_CASE("a photometric file brings its shape and, unless told otherwise, its l
 
 TEST_CASE("a list places its lamp by every row, turned and with the row's light", "[sim][lamps]") {
   const test::TemporaryFolder folder;
-  write(folder / "s.csv", "east_m,north_m,up_m,yaw_deg,lumens\n10,0,0,90,100\n20,0,1,0,200\n");
-  const LoadedLamps loaded = load(
+  write_lamps(folder / "s.csv",
+              "east_m,north_m,up_m,yaw_deg,lumens\n10,0,0,90,100\n20,0,1,0,200\n");
+  const LoadedLamps loaded = load_lamps(
       R"(<lamps_list file="s.csv" name="street">
 <spot_lamp north_m="1" up_m="8" axis="0 1 -1" half_angle_deg="70" colour_temperature_k="3000"/>
 </lamps_list>)",
@@ -119,7 +122,7 @@ TEST_CASE("a list places its lamp by every row, turned and with the row's light"
 }
 
 TEST_CASE("mistakes of lamps in a scenario are told where they are", "[sim][lamps]") {
-  const auto lines = [](const std::string& lamp) { return mistake_lines(with(lamp)); };
+  const auto lines = [](const std::string& lamp) { return mistake_lines(with_lamps(lamp)); };
   const std::string light = "flux_w_per_um=\"1\" ";
   CHECK(lines("<point_lamp flux_w_per_um=\"-1\"/>") ==
         "15:13: attribute \"flux_w_per_um\" of <point_lamp>: \"-1\", expected a number from 0 to "
@@ -151,8 +154,8 @@ TEST_CASE("mistakes of lamps in a scenario are told where they are", "[sim][lamp
 
 TEST_CASE("mistakes that a list of lamps brings to light name its line", "[sim][lamps]") {
   const test::TemporaryFolder folder;
-  write(folder / "s.csv", "east_m,north_m\n10,0\n");
-  write(folder / "l.csv", "east_m,north_m,lumens\n10,0,9\n");
+  write_lamps(folder / "s.csv", "east_m,north_m\n10,0\n");
+  write_lamps(folder / "l.csv", "east_m,north_m,lumens\n10,0,9\n");
   const auto error = [&](const std::string& list, const std::string& lamp) {
     return load_error("<lamps_list file=\"" + list + "\">" + lamp + "</lamps_list>", folder / "");
   };
@@ -174,8 +177,8 @@ TEST_CASE("a lamp inside a solid is an error, beside it and in an open box it is
   const auto checked = [&](const std::string& lamp, const std::string& material) {
     InputFiles files;
     const Scenario scenario = parse_scenario(
-        replaced(with(lamp), "<material name=\"grey\" reflectance=\"0.5\"/>", material), "/t.xml",
-        diagnostics);
+        replaced(with_lamps(lamp), "<material name=\"grey\" reflectance=\"0.5\"/>", material),
+        "/t.xml", diagnostics);
     try {
       check_lamps(scene, scenario, load_lamps(scenario, {}, 1, files).lamps, diagnostics);
       return std::string{};
@@ -211,7 +214,7 @@ TEST_CASE("a lamp that sees only backs on one side gets a warning", "[sim][lamps
   Diagnostics diagnostics;
   InputFiles files;
   const Scenario scenario = parse_scenario(
-      with(R"(<point_lamp name="a" up_m="1" flux_w_per_um="1"/>)"), "/t.xml", diagnostics);
+      with_lamps(R"(<point_lamp name="a" up_m="1" flux_w_per_um="1"/>)"), "/t.xml", diagnostics);
   CHECK_NOTHROW(
       check_lamps(scene, scenario, load_lamps(scenario, {}, 1, files).lamps, diagnostics));
   REQUIRE(diagnostics.messages().size() == 1);

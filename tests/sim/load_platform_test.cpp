@@ -15,7 +15,7 @@ using support::PlatformLoading;
 
 namespace {
 
-double largest_difference(const Mat3& a, const Mat3& b) {
+double platform_largest_difference(const Mat3& a, const Mat3& b) {
   return std::max({length(a.x - b.x), length(a.y - b.y), length(a.z - b.z)});
 }
 bool identical(const sensor::Pose& a, const sensor::Pose& b) {
@@ -62,7 +62,7 @@ TEST_CASE("a still camera that shakes keeps the same pose below it", "[sim][plat
   const sensor::Platform shaking = loading.load({0.0, 1.0});
   CHECK(shaking.has_white_jitter());
   // Through a quaternion and back: rounding.
-  CHECK(largest_difference(shaking.steady(0.5).axes, plain.axes) < 1e-14);
+  CHECK(platform_largest_difference(shaking.steady(0.5).axes, plain.axes) < 1e-14);
   CHECK(shaking.steady(0.5).position == plain.position);
   const sensor::PlatformDescription description = loading.describe();
   CHECK(description.jitter.white_rms_rad.y == Approx(2e-6).epsilon(1e-15));
@@ -293,9 +293,9 @@ TEST_CASE("nested mounts turn by their own axes, one after the other", "[sim][pl
   const Mat3 expected = rotation({0, 0, 1}, degrees(10.0).value) *
                         rotation({1, 0, 0}, degrees(20.0).value) *
                         rotation({0, 1, 0}, degrees(30.0).value);
-  CHECK(largest_difference(in_carrier(turned), expected) < 1e-12);
+  CHECK(platform_largest_difference(in_carrier(turned), expected) < 1e-12);
   loading.platform().mounts = {mount, mount};
-  CHECK(largest_difference(in_carrier(loading.load()), expected * expected) < 1e-12);
+  CHECK(platform_largest_difference(in_carrier(loading.load()), expected * expected) < 1e-12);
 }
 
 TEST_CASE("mounts that scan or stare move the line of sight", "[sim][platform]") {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ephemeris::Instant utc(const char* text) { return ephemeris::Instant::parse_utc(text); }
+ephemeris::Instant temperature_utc(const char* text) { return ephemeris::Instant::parse_utc(text); }
 
 /// A folder of small rasters, and what loading them needs.
 class Loading {
@@ -31,7 +31,8 @@ class Loading {
     return scratch_ / name;
   }
   thermal::MappedTemperature load(const TemperatureRasterInput& input, const char* moment) {
-    return load_temperature_raster(input, utc(moment), {&frame_, &diagnostics_}, files_);
+    return load_temperature_raster(input, temperature_utc(moment), {&frame_, &diagnostics_},
+                                   files_);
   }
   std::string message(const TemperatureRasterInput& input, const char* moment) {
     return support::message_of([&] { (void)load(input, moment); });
@@ -85,8 +86,9 @@ TEST_CASE("a raster becomes temperatures by gain and offset, first row in the no
 // Three slices, given out of order. 1e-6: floats near 300 are good to 1.5e-5 K, 5e-8 of it.
 TEST_CASE("of several rasters the two about the moment are mixed", "[sim][temperature]") {
   Loading loading;
-  const auto ten = utc("2020-06-01T10:00:00Z"), noon = utc("2020-06-01T12:00:00Z"),
-             four = utc("2020-06-01T16:00:00Z");
+  const auto ten = temperature_utc("2020-06-01T10:00:00Z"),
+             noon = temperature_utc("2020-06-01T12:00:00Z"),
+             four = temperature_utc("2020-06-01T16:00:00Z");
   const auto input = draped({{loading.raster("c.asc", "300 300 300\n300 300 300\n"), 1, noon},
                              {loading.raster("a.asc", "280 290 300\n280 290 300\n"), 1, ten},
                              {loading.raster("z.asc", "400 400 400\n400 400 400\n"), 1, four}});
@@ -112,7 +114,7 @@ TEST_CASE("a lone raster of another hour stands for the moment, with a warning",
           "[sim][temperature]") {
   Loading loading;
   const fs::path file = loading.raster("a.asc", "1 2 3\n4 5 6\n");
-  const auto input = draped({{file, 1, utc("2020-06-01T12:00:00Z")}});
+  const auto input = draped({{file, 1, temperature_utc("2020-06-01T12:00:00Z")}});
   CHECK(loading.load(input, "2020-06-01T12:30:00Z").kelvin[0] == 1.0F);
   CHECK(loading.warnings().empty());
   CHECK(loading.load(input, "2020-06-01T15:00:00Z").kelvin[0] == 1.0F);
@@ -145,7 +147,8 @@ TEST_CASE("pixels that have no temperature are mistakes with their place", "[sim
 
 TEST_CASE("rasters of several times must agree and have times", "[sim][temperature]") {
   Loading loading;
-  const auto ten = utc("2020-06-01T10:00:00Z"), noon = utc("2020-06-01T12:00:00Z");
+  const auto ten = temperature_utc("2020-06-01T10:00:00Z"),
+             noon = temperature_utc("2020-06-01T12:00:00Z");
   const fs::path six = loading.raster("a.asc", "280 290 300\n280 290 300\n");
   const fs::path two =
       loading.text("b.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n300 300\n");
@@ -172,7 +175,8 @@ TEST_CASE("georeferenced rasters of several times must lie in the same place",
                                            "\nyllcorner 35.999\ncellsize 0.001\n"
                                            "280 290\n300 310\n");
   };
-  const auto ten = utc("2020-06-01T10:00:00Z"), noon = utc("2020-06-01T12:00:00Z");
+  const auto ten = temperature_utc("2020-06-01T10:00:00Z"),
+             noon = temperature_utc("2020-06-01T12:00:00Z");
   const fs::path here = degrees("here", "-84.001"), again = degrees("again", "-84.001"),
                  beside = degrees("beside", "-84.0005");  // by half a pixel
   TemperatureRasterInput input = draped({{here, 1, ten}, {again, 1, noon}});
@@ -195,14 +199,15 @@ TEST_CASE("a table over time gives one temperature", "[sim][temperature]") {
                                      "utc,temperature_c,wall_k\n2020-06-01T10:00:00Z,10,280\n"
                                      "2020-06-01T12:00:00Z,20,284\n");
   const auto at = [&](const char* column) {
-    return load_temperature_table({file, column, {}}, utc("2020-06-01T11:00:00Z"), loading.files());
+    return load_temperature_table({file, column, {}}, temperature_utc("2020-06-01T11:00:00Z"),
+                                  loading.files());
   };
   CHECK(at("").value == Approx(288.15).epsilon(1e-9));
   CHECK(at("wall_k").value == Approx(282.0).epsilon(1e-9));
   CHECK(loading.files().all().count(file) == 1);
-  CHECK_THROWS_AS(
-      load_temperature_table({file, "", {}}, utc("2020-06-01T13:00:00Z"), loading.files()),
-      InputError);
+  CHECK_THROWS_AS(load_temperature_table({file, "", {}}, temperature_utc("2020-06-01T13:00:00Z"),
+                                         loading.files()),
+                  InputError);
 }
 
 TEST_CASE("a mesh under temperatures by vertex must have them, from 0 to 6000 K",

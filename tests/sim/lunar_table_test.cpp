@@ -16,10 +16,10 @@ using ephemeris::LunarBand;
 using ephemeris::LunarGeometry;
 using ephemeris::LunarModel;
 
-const std::string library = NADIR_SOURCE_DIR "/scenes/library/illumination/";
+const std::string lunar_table_library = NADIR_SOURCE_DIR "/scenes/library/illumination/";
 
-const LunarModel& shipped() {
-  static const LunarModel model = sim::read_lunar_model(library + "moon.csv");
+const LunarModel& shipped_lunar_table() {
+  static const LunarModel model = sim::read_lunar_model(lunar_table_library + "moon.csv");
   return model;
 }
 
@@ -31,7 +31,7 @@ LunarGeometry waning(double phase_deg) {
           Metres{LunarModel::mean_distance_m}};
 }
 
-double reflectance(const LunarModel& model, double um, double phase_deg) {
+double lunar_table_reflectance(const LunarModel& model, double um, double phase_deg) {
   const auto band = std::find_if(model.bands.begin(), model.bands.end(), [&](const LunarBand& b) {
     return std::abs(b.wavelength.value - um) < 1e-6;
   });
@@ -50,14 +50,15 @@ std::string table(const std::string& header, const std::string& rows) {
 // Kieffer and Stone 2005 give 32 bands from 350 to 2383.6 nm. Reflectances at 549.1 nm by an
 // independent evaluation, four digits.
 TEST_CASE("the shipped bands of the moon are the ROLO model's", "[sim][lunar]") {
-  REQUIRE(shipped().bands.size() == 32);
-  CHECK(shipped().bands.front().wavelength == 0.35_um);
-  CHECK(shipped().bands.back().wavelength == 2.3836_um);
+  REQUIRE(shipped_lunar_table().bands.size() == 32);
+  CHECK(shipped_lunar_table().bands.front().wavelength == 0.35_um);
+  CHECK(shipped_lunar_table().bands.back().wavelength == 2.3836_um);
   const double phases[] = {2.0, 7.0, 30.0, 60.0, 90.0};
   const double published[] = {0.1319, 0.1001, 0.0535, 0.0248, 0.0099};
   for (std::size_t i = 0; i < 5; ++i) {
     CAPTURE(phases[i]);
-    CHECK(reflectance(shipped(), 0.5491, phases[i]) == Approx(published[i]).epsilon(0.006));
+    CHECK(lunar_table_reflectance(shipped_lunar_table(), 0.5491, phases[i]) ==
+          Approx(published[i]).epsilon(0.006));
   }
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("the shipped bands of the moon are the ROLO model's", "[sim][lunar]") 
 // by up to 14 %.
 TEST_CASE("the moon's spectrum is smooth and reddens", "[sim][lunar]") {
   const double phase_deg = GENERATE(2.0, 30.0, 90.0);
-  const spectral::Curve a = ephemeris::disc_reflectance(shipped(), waning(phase_deg));
+  const spectral::Curve a = ephemeris::disc_reflectance(shipped_lunar_table(), waning(phase_deg));
   const auto& um = a.wavelengths_um();
   const auto& value = a.values();
   for (std::size_t i = 2; i < um.size(); ++i) {
@@ -82,10 +83,11 @@ TEST_CASE("the moon's spectrum is smooth and reddens", "[sim][lunar]") {
 // 5.2e-6 and 3.9e-7 W m^-2 nm^-1 at 2 and 90 degrees by the independent evaluation, with the 1 nm
 // solar spectrum and the band as it is; here the smoothed band (0.9843) and 5 nm of sun.
 TEST_CASE("the moon's irradiance is the ROLO model's", "[sim][lunar]") {
-  const auto sun = sim::read_curve(library + "solar.csv", "", sim::SpectrumQuantity::irradiance,
-                                   spectral::Outside::reject);
+  const auto sun = sim::read_curve(lunar_table_library + "solar.csv", "",
+                                   sim::SpectrumQuantity::irradiance, spectral::Outside::reject);
   const auto e = [&](double phase_deg) {
-    return ephemeris::lunar_irradiance(shipped(), waning(phase_deg), sun).irradiance.at(0.5491_um);
+    return ephemeris::lunar_irradiance(shipped_lunar_table(), waning(phase_deg), sun)
+        .irradiance.at(0.5491_um);
   };
   CHECK(e(2.0) == Approx(5.2e-3 * 0.9843).epsilon(0.02));
   CHECK(e(90.0) == Approx(3.9e-4 * 0.9843).epsilon(0.02));

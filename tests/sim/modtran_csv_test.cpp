@@ -18,7 +18,7 @@ using support::Slab;
 
 namespace {
 
-const AirRunSettings on_sea{0.0, 100'000.0, std::nullopt, 1.0};
+const AirRunSettings on_sea_modtran_csv{0.0, 100'000.0, std::nullopt, 1.0};
 
 enum class Over { wavenumber, micrometres, nanometres };
 
@@ -57,7 +57,7 @@ TEST_CASE("MODTRAN 6 CSV over wavenumber, um and nm gives the slab's radiances",
   const Slab slab;
   const RunGeometry up{0.0, 60.0 * degree, 0.0};
   const AirRunSet set =
-      parse_modtran_csv(csv_case(slab, 60.0, over), "a.csv", std::span{&up, 1}, on_sea);
+      parse_modtran_csv(csv_case(slab, 60.0, over), "a.csv", std::span{&up, 1}, on_sea_modtran_csv);
   REQUIRE(set.runs.size() == 1);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t lane = 2 - i;
@@ -81,7 +81,7 @@ TEST_CASE("CSV cases of one file or of several make a table by their geometry", 
   write_file(folder / "looks.csv", "height_m,zenith_deg,azimuth_deg\n0,0,0\n0,60,0\n");
   AirImport wanted;
   wanted.from = AirSource::modtran_csv;
-  wanted.settings = on_sea;
+  wanted.settings = on_sea_modtran_csv;
   wanted.settings.sun_zenith_rad = std::acos(slab.sun_mu);
   wanted.geometry = folder / "looks.csv";
   wanted.files = {folder / "all.csv"};
@@ -101,7 +101,7 @@ TEST_CASE("mistakes of a MODTRAN CSV are told with their lines", "[modtran]") {
   const RunGeometry up;
   const auto told = [&](const std::string& text) {
     return support::message_of([&] {
-      static_cast<void>(parse_modtran_csv(text, "a.csv", std::span{&up, 1}, on_sea));
+      static_cast<void>(parse_modtran_csv(text, "a.csv", std::span{&up, 1}, on_sea_modtran_csv));
     });
   };
   const std::string good = csv_case(slab, 0.0, Over::wavenumber);

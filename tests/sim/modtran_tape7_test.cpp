@@ -27,20 +27,20 @@ using support::thermal_run;
 
 namespace {
 
-const AirRunSettings on_sea{0.0, 100'000.0, std::nullopt, 2.0};
+const AirRunSettings on_sea_modtran_tape7{0.0, 100'000.0, std::nullopt, 2.0};
 
 atmosphere::AirTable imported(const std::string& text) {
   const support::ScratchFolder folder;
   write_file(folder / "a.tp7", text);
   AirImport wanted;
   wanted.files = {folder / "a.tp7"};
-  wanted.settings = on_sea;
+  wanted.settings = on_sea_modtran_tape7;
   return import_air(wanted);
 }
 
-std::string told(const std::string& text) {
+std::string told_modtran_tape7(const std::string& text) {
   return support::message_of(
-      [&] { static_cast<void>(parse_modtran_tape7(text, "a.tp7", on_sea)); });
+      [&] { static_cast<void>(parse_modtran_tape7(text, "a.tp7", on_sea_modtran_tape7)); });
 }
 
 bool has_note(const atmosphere::AirTable& table, const std::string& part) {
@@ -207,7 +207,7 @@ TEST_CASE("ways of part of a direction become shares, and the horizon is put in"
 TEST_CASE("ranges and heights of a way between two heights agree", "[modtran]") {
   const Slab slab;
   const auto length = [&](const Look& look) {
-    const AirRunSet set = parse_modtran_tape7(thermal_run(slab, look), "a", on_sea);
+    const AirRunSet set = parse_modtran_tape7(thermal_run(slab, look), "a", on_sea_modtran_tape7);
     return std::pair{set.runs.at(0).length_m, set.runs.at(0).zenith_rad};
   };
   // Without a range: to where the line reaches the other height.
@@ -247,7 +247,7 @@ TEST_CASE("columns of MODTRAN 4 and of MODTRAN 6 are known by their names", "[mo
   put(four, "SURF_EMIS", "SURF EMIS");
   put(six, "PTH_THRML", " THRML_EM");
   const auto even = [&](const std::string& text) {
-    return parse_modtran_tape7(text, "a", on_sea).runs.at(0).even;
+    return parse_modtran_tape7(text, "a", on_sea_modtran_tape7).runs.at(0).even;
   };
   CHECK(even(four) == even(five));
   CHECK(even(six) == even(five));  // THRML_SCT, which is added there, is 0
@@ -260,10 +260,11 @@ TEST_CASE("a tape7's mistakes are told with their lines", "[modtran]") {
     std::string text = good;
     REQUIRE(text.find(from) != std::string::npos);
     text.replace(text.find(from), from.size(), to);
-    return told(text);
+    return told_modtran_tape7(text);
   };
-  CHECK(told("") == "a.tp7: error: the file is empty\n");
-  CHECK(told("hello\n").find("a.tp7:1:1: error: the file ends before a line of column names") == 0);
+  CHECK(told_modtran_tape7("") == "a.tp7: error: the file is empty\n");
+  CHECK(told_modtran_tape7("hello\n").find(
+            "a.tp7:1:1: error: the file ends before a line of column names") == 0);
   CHECK(wrong("-9999.", "").find("a.tp7:11:1: error: the run has no end") == 0);
   CHECK(wrong("0.67032005", "0.6703x005").find("a.tp7:12:10: error: expected a number") == 0);
   CHECK(wrong("0.67032005", "67032005.0").find("a transmittance is 67032005") != std::string::npos);
@@ -280,7 +281,7 @@ TEST_CASE("exponents of three digits are read", "[modtran]") {
   std::string text = thermal_run(slab, {3, 0.0, 100.0, 0.0, 0.0, 0.0});
   const std::string zero = " 0.0000E+00", tiny = " 1.2345-123";
   text.replace(text.find(zero), zero.size(), tiny);
-  CHECK(parse_modtran_tape7(text, "a", on_sea).runs.size() == 1);
+  CHECK(parse_modtran_tape7(text, "a", on_sea_modtran_tape7).runs.size() == 1);
 }
 
 TEST_CASE("missing directions of a grid are listed", "[modtran]") {
@@ -307,7 +308,7 @@ TEST_CASE("runs of other wavelengths or another sun do not make one table", "[mo
   Slab slab;
   const std::string one = thermal_run(slab, {3, 0.0, 100.0, 0.0, 0.0, 0.0});
   slab.nu[1] = 2001.0;
-  CHECK(told(one + thermal_run(slab, {3, 0.0, 100.0, 30.0, 0.0, 0.0}))
+  CHECK(told_modtran_tape7(one + thermal_run(slab, {3, 0.0, 100.0, 30.0, 0.0, 0.0}))
             .find("a.tp7, run 2 has other wavelengths") != std::string::npos);
 }
 
@@ -320,7 +321,7 @@ TEST_CASE("azimuths may be given for runs that do not say", "[modtran]") {
   write_file(folder / "a.tp7", text);
   AirImport wanted;
   wanted.files = {folder / "a.tp7"};
-  wanted.settings = on_sea;
+  wanted.settings = on_sea_modtran_tape7;
   CHECK(support::message_of([&] {
           static_cast<void>(import_air(wanted));
         }).find("does not say at which azimuth") != std::string::npos);

@@ -19,24 +19,24 @@ using namespace nadir::atmosphere;
 
 namespace {
 
-const std::filesystem::path shipped =
+const std::filesystem::path shipped_particle_tables =
     std::filesystem::path{NADIR_SOURCE_DIR} / "scenes/library/atmosphere/particles.txt";
 
 std::string shipped_text() {
   std::ostringstream text;
-  text << std::ifstream{shipped}.rdbuf();
+  text << std::ifstream{shipped_particle_tables}.rdbuf();
   return text.str();
 }
 
 /// The shipped text with one piece replaced.
-std::string with(const std::string& piece, const std::string& instead) {
+std::string with_particle_tables(const std::string& piece, const std::string& instead) {
   std::string text = shipped_text();
   const std::size_t at = text.find(piece);
   REQUIRE(at != std::string::npos);
   return text.replace(at, piece.size(), instead);
 }
 
-std::string mistakes(const std::string& text) {
+std::string particle_tables_mistakes(const std::string& text) {
   try {
     (void)sim::parse_particle_tables(text, "p.txt");
     return "";
@@ -46,7 +46,7 @@ std::string mistakes(const std::string& text) {
 }
 
 bool refused(const std::string& text, const std::string& message) {
-  const std::string found = mistakes(text);
+  const std::string found = particle_tables_mistakes(text);
   CAPTURE(found);
   CHECK(found.find(message) != std::string::npos);
   return !found.empty();
@@ -69,13 +69,14 @@ double depth(const Particles& particles, double um) {
   return sum;
 }
 
-struct Difference {
+struct ParticleTablesDifference {
   double rms = 0.0, largest = 0.0;
 };
 
 /// The clear run dimmed by these particles, against the run with haze, 0.35 to 12 um: vertical
 /// transmittance from the ground to 100 km.
-Difference compare(const Particles& particles, const std::string& clear, const std::string& hazy) {
+ParticleTablesDifference compare(const Particles& particles, const std::string& clear,
+                                 const std::string& hazy) {
   std::ifstream file{std::filesystem::path{NADIR_SOURCE_DIR} /
                      "tests/atmosphere/data/lowtran7_transmittance.csv"};
   std::string line;
@@ -93,7 +94,7 @@ Difference compare(const Particles& particles, const std::string& clear, const s
     return static_cast<std::size_t>(found - head.begin());
   };
   const std::size_t clear_at = column(clear), hazy_at = column(hazy);
-  Difference result;
+  ParticleTablesDifference result;
   int count = 0;
   for (int row = 0; std::getline(file, line); ++row) {
     if (row % 16 != 0) continue;  // every 16th of 1626 wavenumbers: phase functions take time
@@ -114,7 +115,7 @@ Difference compare(const Particles& particles, const std::string& clear, const s
 }  // namespace
 
 TEST_CASE("the shipped tables of haze and clouds are whole", "[sim][particles]") {
-  const ParticleTables tables = sim::read_particle_tables(shipped);
+  const ParticleTables tables = sim::read_particle_tables(shipped_particle_tables);
   CHECK(tables.wavelength_um.size() == 46);
   CHECK(tables.wavelength_um.front() == 0.2);
   CHECK(tables.wavelength_um.back() == 200.0);
@@ -136,7 +137,7 @@ TEST_CASE("the shipped tables of haze and clouds are whole", "[sim][particles]")
 }
 
 TEST_CASE("the shipped phase functions integrate to 1", "[sim][particles]") {
-  const ParticleTables tables = sim::read_particle_tables(shipped);
+  const ParticleTables tables = sim::read_particle_tables(shipped_particle_tables);
   const auto right = std::find_if(tables.phase_angle_rad.begin(), tables.phase_angle_rad.end(),
                                   [](double angle) { return angle > 1.57; });
   const auto at = static_cast<std::size_t>(right - tables.phase_angle_rad.begin());
@@ -148,7 +149,8 @@ TEST_CASE("the shipped phase functions integrate to 1", "[sim][particles]") {
 }
 
 TEST_CASE("rural haze of 23 km has LOWTRAN7's column and spectrum", "[sim][particles]") {
-  const auto tables = std::make_shared<const ParticleTables>(sim::read_particle_tables(shipped));
+  const auto tables =
+      std::make_shared<const ParticleTables>(sim::read_particle_tables(shipped_particle_tables));
   Aerosol aerosol;
   aerosol.relative_humidity = 0.46;  // of the US standard air at the ground
   const Particles particles{tables, aerosol, {}, levels()};
@@ -163,7 +165,7 @@ TEST_CASE("rural haze of 23 km has LOWTRAN7's column and spectrum", "[sim][parti
 
 TEST_CASE("the shipped phase functions have the asymmetry of the optics, about",
           "[sim][particles]") {
-  const ParticleTables tables = sim::read_particle_tables(shipped);
+  const ParticleTables tables = sim::read_particle_tables(shipped_particle_tables);
   for (const auto& [name, optics] : tables.kinds) {
     if (optics.phase.empty()) continue;
     const auto number = static_cast<std::size_t>(optics.phase[2]);  // at 0.55 um
@@ -177,27 +179,35 @@ TEST_CASE("a file of haze and clouds with mistakes is refused where they stand",
           "[sim][particles]") {
   CHECK(refused("", "expected a first line \"# nadir-particles: 1\""));
   CHECK(refused("# nadir-particles: 1\n", "the section [optics] is missing"));
-  CHECK(refused(with("\n[haze]\n", "\n[fog]\n"), "unknown section"));
-  CHECK(refused(with("\n[phase_choice]\n", "\n[optics]\n"), "the section is there twice"));
-  CHECK(refused(with("rural_0,extinction,2.0929", "rural_0,extinction,x"),
+  CHECK(refused(with_particle_tables("\n[haze]\n", "\n[fog]\n"), "unknown section"));
+  CHECK(refused(with_particle_tables("\n[phase_choice]\n", "\n[optics]\n"),
+                "the section is there twice"));
+  CHECK(refused(with_particle_tables("rural_0,extinction,2.0929", "rural_0,extinction,x"),
                 "p.txt:13:20: error: expected a number, found \"x\""));
-  CHECK(refused(with("rural_0,extinction,2.0929", "rural_0,extinction,-0.5"),
+  CHECK(refused(with_particle_tables("rural_0,extinction,2.0929", "rural_0,extinction,-0.5"),
                 "must lie from 0 to 1000, found -0.5"));
-  CHECK(refused(with("rural_0,extinction,2.0929,", "rural_0,extinction,"),
+  CHECK(refused(with_particle_tables("rural_0,extinction,2.0929,", "rural_0,extinction,"),
                 "expected 48 cells, found 47"));
-  CHECK(refused(with("rural_0,extinction", "rural_0,absorption"), "this row is there twice"));
-  CHECK(refused(with("rural_0,extinction", "rurall_0,extinction"),
+  CHECK(refused(with_particle_tables("rural_0,extinction", "rural_0,absorption"),
+                "this row is there twice"));
+  CHECK(refused(with_particle_tables("rural_0,extinction", "rurall_0,extinction"),
                 "the kind \"rurall_0\" lacks extinction, absorption or asymmetry"));
-  CHECK(refused(with("boundary_23,", "boundary_24,"), "the profile \"boundary_23\" is missing"));
-  CHECK(refused(with("kind,0.2,0.3,0.55", "kind,0.3,0.2,0.55"), "greater than the one before it"));
-  CHECK(refused(with("rural_0,3,5,4", "rural_0,3,99,4"), "there is no phase function 99"));
-  CHECK(refused(with("rural_0,3,5,4", "ruralo_0,3,5,4"), "expected a kind of [optics], each once"));
-  CHECK(refused(with("175,180", "175,179"), "scattering angles must reach from 0 to 180 deg"));
+  CHECK(refused(with_particle_tables("boundary_23,", "boundary_24,"),
+                "the profile \"boundary_23\" is missing"));
+  CHECK(refused(with_particle_tables("kind,0.2,0.3,0.55", "kind,0.3,0.2,0.55"),
+                "greater than the one before it"));
+  CHECK(refused(with_particle_tables("rural_0,3,5,4", "rural_0,3,99,4"),
+                "there is no phase function 99"));
+  CHECK(refused(with_particle_tables("rural_0,3,5,4", "ruralo_0,3,5,4"),
+                "expected a kind of [optics], each once"));
+  CHECK(refused(with_particle_tables("175,180", "175,179"),
+                "scattering angles must reach from 0 to 180 deg"));
   CHECK_THROWS_AS(sim::read_particle_tables("no/such/file"), InputError);
 }
 
 TEST_CASE("haze dims every band as in LOWTRAN7's runs", "[sim][particles]") {
-  const auto tables = std::make_shared<const ParticleTables>(sim::read_particle_tables(shipped));
+  const auto tables =
+      std::make_shared<const ParticleTables>(sim::read_particle_tables(shipped_particle_tables));
   Aerosol rural, urban;
   rural.relative_humidity = 0.49;  // US standard 1976 between the ground and 2 km
   urban.type = AerosolType::urban;
@@ -206,10 +216,10 @@ TEST_CASE("haze dims every band as in LOWTRAN7's runs", "[sim][particles]") {
   const Particles rural_23{tables, rural, {}, levels()}, urban_5{tables, urban, {}, levels()};
   // measured over all wavenumbers: rms 4.4e-5 and 5.7e-5, at most 3.1e-4 and 1.5e-4. What is left
   // is growth with humidity, which the runs take layer by layer
-  const Difference a = compare(rural_23, "us_standard_1976_clear", "us_rural23");
+  const ParticleTablesDifference a = compare(rural_23, "us_standard_1976_clear", "us_rural23");
   CHECK(a.rms < 6e-5);
   CHECK(a.largest < 4e-4);
-  const Difference b = compare(urban_5, "midlatitude_summer_clear", "mls_urban5");
+  const ParticleTablesDifference b = compare(urban_5, "midlatitude_summer_clear", "mls_urban5");
   CHECK(b.rms < 8e-5);
   CHECK(b.largest < 3e-4);
 }

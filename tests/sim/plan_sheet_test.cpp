@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-const CameraNames two_arrays{{"vis", {"blue", "red"}}, {"thermal", {"T"}}};
+const CameraNames plan_sheet_two_arrays{{"vis", {"blue", "red"}}, {"thermal", {"T"}}};
 
 /// All effects absent in two arrays, but what a test sets.
 EffectPlan plan_of_nothing() {
@@ -38,17 +38,17 @@ EffectDecision& of(EffectPlan& plan, Effect effect) {
 }
 
 std::string state(const EffectPlan& plan, Effect effect) {
-  return effect_sheets(plan, two_arrays)[radiometry::index_of(effect)].state;
+  return effect_sheets(plan, plan_sheet_two_arrays)[radiometry::index_of(effect)].state;
 }
 
 PlanSheet sheet_of(const EffectPlan& plan) {
   PlanSheet sheet;
   sheet.scenario = "test";
   sheet.wanted = "1 %";
-  sheet.names = two_arrays;
+  sheet.names = plan_sheet_two_arrays;
   sheet.pixels = {100, 50};
   sheet.bands = {{{0.48, 4, 1.0, 0.0, {}}, {0.65, 2, 2.0, 0.001, {}}}, {{10.9, 3, 3.0, 0.0, {}}}};
-  sheet.effects = effect_sheets(plan, two_arrays);
+  sheet.effects = effect_sheets(plan, plan_sheet_two_arrays);
   sheet.solver = "path solver";
   return sheet;
 }
@@ -147,8 +147,8 @@ TEST_CASE("the JSON of a plan has bounds by array and band, and null for infinit
 TEST_CASE("a report shows of its promises what there is, in their order", "[sim][plan]") {
   Promises promises;
   CHECK(promises_json(promises) == "{}");
-  promises.names = two_arrays;
-  promises.effects = effect_sheets(plan_of_nothing(), two_arrays);
+  promises.names = plan_sheet_two_arrays;
+  promises.effects = effect_sheets(plan_of_nothing(), plan_sheet_two_arrays);
   promises.settings_reason = "stated";
   promises.prediction = some_prediction();
   promises.fact = RunFact{};
@@ -170,7 +170,7 @@ TEST_CASE("a report shows of its promises what there is, in their order", "[sim]
 
 TEST_CASE("the report of a goal weights arrays by their pixels", "[sim][plan]") {
   Promises promises;
-  promises.names = two_arrays;
+  promises.names = plan_sheet_two_arrays;
   GoalReport goal;
   goal.accuracy = 0.01;
   ArrayOutcome vis, thermal;

@@ -12,13 +12,13 @@ using test::replaced;
 
 namespace {
 
-constexpr const char* still = "<local east_m=\"0\" north_m=\"0\" up_m=\"1000\"/>";
+constexpr const char* still_platform = "<local east_m=\"0\" north_m=\"0\" up_m=\"1000\"/>";
 constexpr const char* aimed = "<euler yaw_deg=\"0\" pitch_deg=\"-90\"/>";
 
 /// The minimal scenario with another position (line 15) and attitude (line 16).
 std::string flying(const std::string& position, const std::string& attitude = aimed,
                    const std::string& more = {}) {
-  std::string text = replaced(minimal_text(), still, position);
+  std::string text = replaced(minimal_text(), still_platform, position);
   text = replaced(text, aimed, attitude);
   return replaced(text, "</attitude>", "</attitude>" + more);
 }
@@ -109,8 +109,8 @@ TEST_CASE("ways from files are named by absolute path", "[scenario][platform]") 
   CHECK(oem.file == file);
   CHECK(oem.max_gap_s == 90.0);
   const auto table = std::get<AttitudeTableInput>(
-      read_platform(flying(still, "<attitude_table file=\"" + file +
-                                      "\" reference=\"earth\" max_gap_s=\"2\"/>"))
+      read_platform(flying(still_platform, "<attitude_table file=\"" + file +
+                                               "\" reference=\"earth\" max_gap_s=\"2\"/>"))
           .attitude);
   CHECK(table.file == file);
   CHECK(table.reference == sensor::Reference::earth);
@@ -131,7 +131,7 @@ TEST_CASE("attitudes of moving platforms are read", "[scenario][platform]") {
   CHECK(velocity.aim == sensor::TrackAttitude::Aim::velocity);
   CHECK(velocity.inertial);
   const auto given = std::get<QuaternionInput>(
-      read_platform(flying(still,
+      read_platform(flying(still_platform,
                            "<quaternion reference=\"local\" w=\"0.6\" x=\"0.8\" y=\"0\" "
                            "z=\"0\"/>"))
           .attitude);
@@ -142,7 +142,7 @@ TEST_CASE("attitudes of moving platforms are read", "[scenario][platform]") {
 
 TEST_CASE("mounts nest from the platform outwards", "[scenario][platform]") {
   const PlatformInput platform = read_platform(flying(
-      still, aimed,
+      still_platform, aimed,
       "<jitter white_x_urad=\"1\" white_z_urad=\"3\" seed=\"9\"/>"
       "<mounts><mount x_m=\"1\" y_m=\"2\" z_m=\"3\" yaw_deg=\"10\" pitch_deg=\"20\" "
       "roll_deg=\"30\"><stare><local east_m=\"5\" north_m=\"6\" up_m=\"0\"/></stare>"
@@ -181,11 +181,11 @@ TEST_CASE("a platform whose position or attitude is not one is told", "[scenario
   CHECK(mistake_lines(flying("")) ==
         "15:5: <position> needs <geodetic> or <local> or <straight> or <circle> or <waypoints> or "
         "<circular_orbit> or <kepler_orbit> or <tle> or <oem>\n");
-  CHECK(mistake_lines(flying(std::string{still} + orbit)) ==
+  CHECK(mistake_lines(flying(std::string{still_platform} + orbit)) ==
         "15:58: <position> holds only one <geodetic> or <local> or <straight> or <circle> or "
         "<waypoints> or <circular_orbit> or <kepler_orbit> or <tle> or <oem>; <local> stands in "
         "line 15 already\n");
-  CHECK(mistake_lines(flying(still, "")) ==
+  CHECK(mistake_lines(flying(still_platform, "")) ==
         "16:5: <attitude> needs <look_at> or <euler> or <quaternion> or <nadir> or <velocity> or "
         "<attitude_table>\n");
   CHECK(mistake_lines(flying("<straight azimuth_deg=\"0\"><local east_m=\"0\" north_m=\"0\" "
@@ -197,15 +197,15 @@ TEST_CASE("a platform whose position or attitude is not one is told", "[scenario
 }
 
 TEST_CASE("what a platform means is checked", "[scenario][platform]") {
-  CHECK(mistake_lines(flying(still, "<nadir/>")) ==
+  CHECK(mistake_lines(flying(still_platform, "<nadir/>")) ==
         "16:15: <nadir> follows the platform's way, but the platform stands still (a camera that "
         "stands still looks by <look_at> or <euler>)\n");
-  CHECK(mistake_lines(flying(still,
+  CHECK(mistake_lines(flying(still_platform,
                              "<quaternion reference=\"orbit\" w=\"1\" x=\"0\" y=\"0\" "
                              "z=\"0\"/>")) ==
         "16:27: <quaternion> follows the platform's way, but the platform stands still (a camera "
         "that stands still looks by <look_at> or <euler>)\n");
-  CHECK(mistake_lines(flying(still,
+  CHECK(mistake_lines(flying(still_platform,
                              "<quaternion reference=\"scene\" w=\"0.5\" x=\"0\" y=\"0\" "
                              "z=\"0\"/>")) ==
         "16:15: <quaternion> has length 0.5, expected 1 within 0.001\n");
@@ -214,25 +214,25 @@ TEST_CASE("what a platform means is checked", "[scenario][platform]") {
                    "eccentricity=\"0.1\" inclination_deg=\"98\" ascending_node_deg=\"10\" "
                    "argument_of_perigee_deg=\"20\" mean_anomaly_deg=\"30\"/>")) ==
         "15:84: the orbit's perigee lies 78 km below the ground\n");
-  CHECK(mistake_lines(flying(still, aimed, "<jitter seed=\"2\"/>")) ==
+  CHECK(mistake_lines(flying(still_platform, aimed, "<jitter seed=\"2\"/>")) ==
         "16:62: <jitter> shakes nothing (give white_x_urad, white_y_urad, white_z_urad or "
         "spectrum)\n");
-  CHECK(mistake_lines(flying(still, aimed, "<mounts/>")) ==
+  CHECK(mistake_lines(flying(still_platform, aimed, "<mounts/>")) ==
         "16:62: <mounts> lacks <mount> (What turns the camera, or a further mount inside this one, "
         "against its carrier. At rest its axes are the carrier's after three right-handed turns "
         "about its own axes: Rz(yaw) Rx(pitch) Ry(roll). It stays so, or scans or "
         "stares.)\n");
   const std::string scan = "<scan axis=\"x\" first_deg=\"0\" last_deg=\"1\" sweep_s=\"2\"";
-  CHECK(mistake_lines(flying(still, aimed,
+  CHECK(mistake_lines(flying(still_platform, aimed,
                              "<mounts><mount>" + scan +
                                  "/><stare><local east_m=\"5\" "
                                  "north_m=\"6\" up_m=\"0\"/></stare></mount></mounts>")) ==
         "16:132: a <mount> holds <scan> or <stare>, not both (put one mount inside the other)\n");
-  CHECK(mistake_lines(flying(still, aimed,
+  CHECK(mistake_lines(flying(still_platform, aimed,
                              "<mounts><mount>" + scan + " period_s=\"1\"/></mount></mounts>")) ==
         "16:131: period_s is 1, shorter than sweep_s, 2\n");
   CHECK(mistake_lines(
-            flying(still, aimed,
+            flying(still_platform, aimed,
                    "<mounts><mount>" + replaced(scan, "\"1\"", "\"0\"") + "/></mount></mounts>")) ==
         "16:106: <scan> begins and ends at the same angle\n");
   CHECK(mistake_lines(

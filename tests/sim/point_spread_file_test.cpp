@@ -8,7 +8,7 @@ using nadir::sim::support::message_of;
 
 namespace {
 
-const std::string head = "# nadir-point-spread: 1\n# title: a test\n# pitch_um: 2.5\n";
+const std::string point_spread_head = "# nadir-point-spread: 1\n# title: a test\n# pitch_um: 2.5\n";
 
 std::string told_of(const std::string& text) {
   return message_of([&] { static_cast<void>(sim::parse_point_spread(text, "psf.csv")); });
@@ -18,7 +18,7 @@ std::string told_of(const std::string& text) {
 
 TEST_CASE("a point spread table arrives as it stands in the file", "[files][point_spread]") {
   const auto spread = sim::parse_point_spread(
-      "\xEF\xBB\xBF" + head +
+      "\xEF\xBB\xBF" + point_spread_head +
           "# free remark\nwavelength_um, 0.55\n0, 0.25, 0\n0.125,0.5,0.125\n\r\n"
           "wavelength_um,0.85\r\n0.25,0.25,0.25\r\n0.125,0,0.125\r\n",
       "psf.csv");
@@ -34,8 +34,8 @@ TEST_CASE("a point spread table arrives as it stands in the file", "[files][poin
 
 TEST_CASE("a point spread that does not sum to one is told of with its sum",
           "[files][point_spread]") {
-  CHECK(told_of(head + "wavelength_um,0.5\n0.5,0.49\nwavelength_um,0.6\n0.5,0.49\n"
-                       "wavelength_um,0.7\n0.5,0.4995\n") ==
+  CHECK(told_of(point_spread_head + "wavelength_um,0.5\n0.5,0.49\nwavelength_um,0.6\n0.5,0.49\n"
+                                    "wavelength_um,0.7\n0.5,0.4995\n") ==
         "psf.csv:4:1: error: the weights of this wavelength sum to 0.99, not to 1\n"
         "    4 | wavelength_um,0.5\n"
         "      | ^\n"
@@ -45,7 +45,8 @@ TEST_CASE("a point spread that does not sum to one is told of with its sum",
 }
 
 TEST_CASE("every mistake of a point spread table has its place", "[files][point_spread]") {
-  CHECK(told_of(head + "wavelength_um,0.5\n0.5,-0.5\n0.5,x\nwavelength_um,0.4\n0.5,0.5,0\n1,0\n") ==
+  CHECK(told_of(point_spread_head +
+                "wavelength_um,0.5\n0.5,-0.5\n0.5,x\nwavelength_um,0.4\n0.5,0.5,0\n1,0\n") ==
         "psf.csv:5:5: error: expected a weight of 0 or more, found \"-0.5\"\n"
         "    5 | 0.5,-0.5\n"
         "      |     ^\n"
@@ -58,7 +59,8 @@ TEST_CASE("every mistake of a point spread table has its place", "[files][point_
         "psf.csv:8:1: error: expected 2 weights, found 3\n"
         "    8 | 0.5,0.5,0\n"
         "      | ^\n");
-  CHECK(told_of(head + "wavelength_um,0.5\n0.5\n0.5\nwavelength_um,0.6\n1\nwavelength_um,0.7\n") ==
+  CHECK(told_of(point_spread_head +
+                "wavelength_um,0.5\n0.5\n0.5\nwavelength_um,0.6\n1\nwavelength_um,0.7\n") ==
         "psf.csv:7:1: error: expected 2 rows of weights, found 1\n"
         "    7 | wavelength_um,0.6\n"
         "      | ^\n"
@@ -81,9 +83,9 @@ TEST_CASE("another kind of file is not taken for a point spread", "[files][point
   CHECK(told_of("a,b\n1,2\n").find("psf.csv:1:1: error: expected \"# nadir-point-spread: 1\"") ==
         0);
   CHECK(told_of("").find("psf.csv:1:1: error: expected \"# nadir-point-spread: 1\"") == 0);
-  CHECK(told_of(head + "0.5,0.5\n") ==
+  CHECK(told_of(point_spread_head + "0.5,0.5\n") ==
         "psf.csv:4:1: error: expected \"wavelength_um, ...\" before the first weights\n"
         "    4 | 0.5,0.5\n"
         "      | ^\n");
-  CHECK(told_of(head) == "psf.csv: error: the table has no \"wavelength_um, ...\"\n");
+  CHECK(told_of(point_spread_head) == "psf.csv: error: the table has no \"wavelength_um, ...\"\n");
 }

@@ -212,8 +212,8 @@ TEST_CASE("a light that few paths find is not missed", "[sim][goal]") {
 TEST_CASE("small tiles look longer, large ones as long as the goal says", "[sim][goal]") {
   const SamplingGoal goal = goal_of(0.01);
   CHECK(first_look(goal, 256) == 2);
-  CHECK(first_look(goal, 16) == 8);
-  CHECK(first_look(goal, 1) == 128);
+  CHECK(first_look(goal, 16) == 4);
+  CHECK(first_look(goal, 1) == 64);
   CHECK(first_look(goal_of(0.01, 16), 1) == 16);
 }
 

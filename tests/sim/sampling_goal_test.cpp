@@ -131,4 +131,15 @@ TEST_CASE("what a pixel needs falls with the square of its error", "[sim][goal]"
   CHECK(image.bands[0].standard_error[0] == 0.2F);  // its own is larger
 }
 
+TEST_CASE("a pixel whose replicates happen to agree is judged by its block", "[sim][goal]") {
+  const std::vector<BandGoal> goals{{0.01, 0.0}};
+  // Needs 400, 400, 4 and none sampled: half of the mean of three is 134.
+  ArrayImage image =
+      goal_image({10.0F, 10.0F, 10.0F, 0.0F}, {0.2F, 0.2F, 0.02F, 0.0F}, {100, 100, 100, 0});
+  state_needs_of_blocks(image, goals, {});
+  CHECK(image.bands[0].standard_error[0] == 0.2F);
+  CHECK(image.bands[0].standard_error[2] == Approx(0.1 * std::sqrt(1.34)).epsilon(1e-6));
+  CHECK(image.bands[0].standard_error[3] == 0.0F);
+}
+
 }  // namespace nadir::sim

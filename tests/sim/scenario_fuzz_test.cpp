@@ -12,7 +12,7 @@ namespace {
 
 /// One to four edits: a byte changed to any other or to one that means something in XML, a piece
 /// cut out, doubled or moved.
-std::string mutated(std::string text, sim::support::RandomBytes& random) {
+std::string mutated_fuzz(std::string text, sim::support::RandomBytes& random) {
   const std::string meaningful = "<>/=\"'& \t\n!-?[].,0123456789eExX#;:\xFF";
   for (std::uint32_t edits = 1 + random.below(4); edits > 0 && !text.empty(); --edits) {
     const std::size_t at = random.below(text.size());
@@ -63,7 +63,7 @@ TEST_CASE("a damaged scenario is taken or its mistakes are told with their lines
   const std::string good = GENERATE(test::minimal_text(), test::full_text(), test::warm_text());
   sim::support::RandomBytes random{20260621};
   int taken = 0;
-  for (int i = 0; i < 1500; ++i) taken += taken_or_told(mutated(good, random)) ? 1 : 0;
+  for (int i = 0; i < 1500; ++i) taken += taken_or_told(mutated_fuzz(good, random)) ? 1 : 0;
   // Some edits fall into comments, blanks or titles: both outcomes must have been met.
   CHECK(taken > 10);
   CHECK(taken < 1000);
@@ -82,7 +82,8 @@ TEST_CASE("what the reader takes of damaged scenarios the XML schema takes as we
       std::string{"xmllint --noout --schema "} + NADIR_SOURCE_DIR + "/scenes/schema/nadir.xsd";
   int taken = 0;
   for (int i = 0; i < 1500; ++i) {
-    const std::string text = mutated(i % 2 == 0 ? test::full_text() : test::warm_text(), random);
+    const std::string text =
+        mutated_fuzz(i % 2 == 0 ? test::full_text() : test::warm_text(), random);
     if (!taken_or_told(text)) continue;
     const auto file = folder / (std::to_string(i) + ".xml");
     std::ofstream{file, std::ios::binary} << text;

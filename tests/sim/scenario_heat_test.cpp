@@ -13,7 +13,7 @@ namespace {
 
 const std::string sky = "<heat><clear_sky/></heat>";
 
-Scenario read(const std::string& text) {
+Scenario read_heat(const std::string& text) {
   Diagnostics diagnostics;
   return parse_scenario(text, test::data_folder() / "test.xml", diagnostics);
 }
@@ -23,7 +23,7 @@ std::string with_heat(const std::string& heat) {
   return replaced(minimal_text(), "  <materials", heat + "\n  <materials");
 }
 HeatInput heat_of(const std::string& heat) {
-  const Scenario scenario = read(with_heat(heat));
+  const Scenario scenario = read_heat(with_heat(heat));
   REQUIRE(scenario.heat);
   return *scenario.heat;
 }
@@ -45,9 +45,9 @@ std::string balance_with(const std::string& attributes, const std::string& layer
 }
 HeatBalanceInput balance_of(const std::string& attributes, const std::string& layers = thick) {
   return std::get<HeatBalanceInput>(
-      read(balance_with(attributes, layers)).materials.at(0).temperature);
+      read_heat(balance_with(attributes, layers)).materials.at(0).temperature);
 }
-std::string told_of(const std::string& attributes, const std::string& layers = thick) {
+std::string told_of_heat_input(const std::string& attributes, const std::string& layers = thick) {
   return mistake_lines(balance_with(attributes, layers));
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a heat balance without more is dry, follows the wind and has no back"
 }
 
 TEST_CASE("a heat balance keeps its surface, layers and back", "[scenario][heat]") {
-  const Scenario s = read(test::warm_text());
+  const Scenario s = read_heat(test::warm_text());
   const auto& roof = std::get<HeatBalanceInput>(s.materials.at(4).temperature);
   CHECK(roof.solar_absorptance == 0.4);
   CHECK(roof.emissivity == 0.25);
@@ -119,33 +119,38 @@ TEST_CASE("every convection and every back is read", "[scenario][heat]") {
 }
 
 TEST_CASE("attributes of another convection are located", "[scenario][heat][mistakes]") {
-  CHECK(told_of("convection=\"fixed\"") == "11:15: convection=\"fixed\" needs film_w_m2_k\n");
-  CHECK(told_of("film_w_m2_k=\"5\"") == "11:15: film_w_m2_k is for convection=\"fixed\"\n");
-  CHECK(told_of("convection=\"mcadams\" roughness=\"rough\"") ==
+  CHECK(told_of_heat_input("convection=\"fixed\"") ==
+        "11:15: convection=\"fixed\" needs film_w_m2_k\n");
+  CHECK(told_of_heat_input("film_w_m2_k=\"5\"") ==
+        "11:15: film_w_m2_k is for convection=\"fixed\"\n");
+  CHECK(told_of_heat_input("convection=\"mcadams\" roughness=\"rough\"") ==
         "11:36: roughness is for convection=\"tarp\" and convection=\"simple\"\n");
-  CHECK(told_of("convection=\"fixed\" film_w_m2_k=\"5\" roughness=\"rough\" wind_factor=\"1\"") ==
+  CHECK(told_of_heat_input(
+            "convection=\"fixed\" film_w_m2_k=\"5\" roughness=\"rough\" wind_factor=\"1\"") ==
         "11:50: roughness is for convection=\"tarp\" and convection=\"simple\"\n"
         "11:68: wind_factor is for convections that follow the wind, not for fixed\n");
-  CHECK(told_of("convection=\"tarpp\"") ==
+  CHECK(told_of_heat_input("convection=\"tarpp\"") ==
         "11:15: attribute \"convection\" of <heat_balance>: \"tarpp\", expected tarp or mcadams or "
         "simple or fixed (did you mean \"tarp\"?)\n");
-  CHECK(told_of("roughness=\"ruff\"").find("11:15: attribute \"roughness\" of <heat_balance>") ==
-        0);
+  CHECK(told_of_heat_input("roughness=\"ruff\"")
+            .find("11:15: attribute \"roughness\" of <heat_balance>") == 0);
 }
 
 TEST_CASE("attributes of another back are located", "[scenario][heat][mistakes]") {
   const std::string sheet = "<layer substance=\"steel\" thickness_m=\"0.001\"/>";
-  CHECK(told_of("back=\"fixed\"", sheet) ==
+  CHECK(told_of_heat_input("back=\"fixed\"", sheet) ==
         "11:15: back=\"fixed\" needs back_temperature_k or back_temperature_c\n");
-  CHECK(told_of("back=\"fixed\" back_temperature_k=\"280\" back_temperature_c=\"7\"", sheet) ==
+  CHECK(told_of_heat_input("back=\"fixed\" back_temperature_k=\"280\" back_temperature_c=\"7\"",
+                           sheet) ==
         "11:53: give either back_temperature_k or back_temperature_c, not both\n");
-  CHECK(told_of("back_temperature_k=\"280\"") ==
+  CHECK(told_of_heat_input("back_temperature_k=\"280\"") ==
         "11:15: back_temperature_k is for back=\"fixed\"\n");
-  CHECK(told_of("room_temperature_c=\"20\" room_offset_k=\"1\" room_film_w_m2_k=\"8\"") ==
-        "11:15: room_temperature_c is for back=\"room\"\n"
-        "11:39: room_offset_k is for back=\"room\"\n"
-        "11:57: room_film_w_m2_k is for back=\"room\"\n");
-  CHECK(told_of("back=\"room\" room_temperature_c=\"20\" room_offset_k=\"1\"", sheet) ==
+  CHECK(
+      told_of_heat_input("room_temperature_c=\"20\" room_offset_k=\"1\" room_film_w_m2_k=\"8\"") ==
+      "11:15: room_temperature_c is for back=\"room\"\n"
+      "11:39: room_offset_k is for back=\"room\"\n"
+      "11:57: room_film_w_m2_k is for back=\"room\"\n");
+  CHECK(told_of_heat_input("back=\"room\" room_temperature_c=\"20\" room_offset_k=\"1\"", sheet) ==
         "11:51: room_offset_k is for a room that follows the air outdoors\n");
 }
 
@@ -153,20 +158,21 @@ TEST_CASE("layers that lack something or have too much are located", "[scenario]
   const std::string no_thickness =
       "<layer> lacks thickness_m: only the last one above an adiabatic back goes as deep as a "
       "day's wave\n";
-  CHECK(told_of("", "<layer substance=\"a\"/>\n<layer substance=\"b\"/>") ==
+  CHECK(told_of_heat_input("", "<layer substance=\"a\"/>\n<layer substance=\"b\"/>") ==
         "11:16: " + no_thickness);
-  CHECK(told_of("back=\"open\"", "<layer substance=\"a\"/>") == "11:27: " + no_thickness);
-  CHECK(told_of("", "<layer/>") ==
+  CHECK(told_of_heat_input("back=\"open\"", "<layer substance=\"a\"/>") ==
+        "11:27: " + no_thickness);
+  CHECK(told_of_heat_input("", "<layer/>") ==
         "11:16: <layer> says not what it is made of (write substance=\"...\", or "
         "conductivity_w_m_k, density_kg_m3 and specific_heat_j_kg_k)\n");
-  CHECK(told_of("", "<layer conductivity_w_m_k=\"1\" density_kg_m3=\"2000\"/>") ==
+  CHECK(told_of_heat_input("", "<layer conductivity_w_m_k=\"1\" density_kg_m3=\"2000\"/>") ==
         "11:16: <layer> lacks specific_heat_j_kg_k: give all three figures or a substance\n");
-  CHECK(told_of("", "<layer substance=\"a\" density_kg_m3=\"2000\"/>") ==
+  CHECK(told_of_heat_input("", "<layer substance=\"a\" density_kg_m3=\"2000\"/>") ==
         "11:37: density_kg_m3 is for a layer without substance, which brings its own\n");
-  CHECK(told_of("", "<layer substance=\"a\" thickness_m=\"0\"/>") ==
+  CHECK(told_of_heat_input("", "<layer substance=\"a\" thickness_m=\"0\"/>") ==
         "11:37: attribute \"thickness_m\" of <layer>: \"0\", expected a number above 0 and at most "
         "1000 [m]\n");
-  CHECK(told_of("", "") == "11:1: <heat_balance> needs <layer>\n");
+  CHECK(told_of_heat_input("", "") == "11:1: <heat_balance> needs <layer>\n");
 }
 
 TEST_CASE("what follows the weather needs <heat>, which is told once",
@@ -229,7 +235,7 @@ TEST_CASE("the defaults of <heat> are those of the plain data", "[scenario][heat
 }
 
 TEST_CASE("settings of the heat balance arrive in SI units", "[scenario][heat]") {
-  const Scenario s = read(test::warm_text());
+  const Scenario s = read_heat(test::warm_text());
   REQUIRE(s.heat);
   const HeatInput& h = *s.heat;
   CHECK(h.settings.step_s == 1200.0);
@@ -347,5 +353,5 @@ TEST_CASE("a truth plane of temperatures needs the truth", "[scenario][heat][mis
   };
   CHECK(mistake_lines(products("truth=\"false\" truth_temperature=\"true\"")) ==
         "25:25: truth_temperature=\"true\" asks for a plane that truth=\"false\" leaves out\n");
-  CHECK_FALSE(read(products("truth=\"true\"")).products.truth_temperature);
+  CHECK_FALSE(read_heat(products("truth=\"true\"")).products.truth_temperature);
 }

@@ -22,7 +22,7 @@ std::string with_materials(const std::string& materials) {
   return replaced(minimal_text(), grey, materials + "\n");
 }
 
-Scenario read(const std::string& text) {
+Scenario read_materials(const std::string& text) {
   Diagnostics diagnostics;
   return parse_scenario(text, test::data_folder() / "test.xml", diagnostics);
 }
@@ -30,8 +30,8 @@ Scenario read(const std::string& text) {
 /// The model of a material that consists of it and nothing else.
 template <class Model>
 Model model_of(const std::string& element, const std::string& attributes = "") {
-  const Scenario scenario =
-      read(with_materials("<material name=\"grey\"" + attributes + ">" + element + "</material>"));
+  const Scenario scenario = read_materials(
+      with_materials("<material name=\"grey\"" + attributes + ">" + element + "</material>"));
   REQUIRE(std::holds_alternative<Model>(scenario.materials.at(0).scattering));
   return std::get<Model>(scenario.materials.at(0).scattering);
 }
@@ -101,14 +101,14 @@ TEST_CASE("every model with spectra of its own is read without any of the materi
 }
 
 TEST_CASE("a material knows where it stands", "[scenario][materials]") {
-  const SourceLocation where = read(minimal_text()).materials.at(0).where;
+  const SourceLocation where = read_materials(minimal_text()).materials.at(0).where;
   CHECK(where.file == (test::data_folder() / "test.xml").string());
   CHECK(where.line == 9);
   CHECK(where.column == 5);
 }
 
 TEST_CASE("a mixture holds its parts whole, mixtures among them", "[scenario][materials]") {
-  const Scenario scenario = read(
+  const Scenario scenario = read_materials(
       with_materials("<material name=\"grey\"><mixture><part material=\"both\" weight=\"0.25\"/>"
                      "<part material=\"a\" weight=\"0.75\"/></mixture></material>"
                      "<material name=\"both\"><mixture><part material=\"a\" weight=\"0.5\"/>"
@@ -216,11 +216,11 @@ TEST_CASE("a library's scattering, mixtures and spectra come along, and may be o
                             "<part material=\"leaf\" weight=\"0.5\"/>"
                             "<part material=\"glass\" weight=\"0.5\"/></mixture></material>\n"
                             "</materials>\n";
-  const Scenario scenario =
-      read(with_materials("<library file=\"" + library.string() +
-                          "\"/><material name=\"grey\" from=\"leaf\"><minnaert k=\"1\"/></material>"
-                          "<material name=\"leaf\"/><material name=\"pane\" from=\"glass\"/>"
-                          "<material name=\"mixed\" temperature_k=\"280\"/>"));
+  const Scenario scenario = read_materials(
+      with_materials("<library file=\"" + library.string() +
+                     "\"/><material name=\"grey\" from=\"leaf\"><minnaert k=\"1\"/></material>"
+                     "<material name=\"leaf\"/><material name=\"pane\" from=\"glass\"/>"
+                     "<material name=\"mixed\" temperature_k=\"280\"/>"));
   REQUIRE(scenario.materials.size() == 4);
   CHECK(std::holds_alternative<materials::Minnaert>(scenario.materials[0].scattering));
   CHECK(number_of(*scenario.materials[0].reflectance) == 0.3);
@@ -255,7 +255,7 @@ TEST_CASE("a library's mixtures know only the library", "[scenario][materials][m
 }
 
 TEST_CASE("a relief is read with its place", "[scenario][materials]") {
-  const Scenario scenario = read(with_materials(
+  const Scenario scenario = read_materials(with_materials(
       "<material name=\"grey\" reflectance=\"0.5\"><relief file=\"ground.asc\" kind=\"heights\" "
       "strength=\"2\" drape=\"texture\" size_u=\"3\"/></material>"));
   const auto& relief = scenario.materials.at(0).relief;

@@ -10,12 +10,12 @@ using nadir::test::data_folder;
 
 namespace {
 
-Scenario read(const char* name, Diagnostics& diagnostics) {
+Scenario read_scenario_text(const char* name, Diagnostics& diagnostics) {
   return read_scenario(data_folder() / name, diagnostics);
 }
-Scenario read(const char* name) {
+Scenario read_scenario_text(const char* name) {
   Diagnostics diagnostics;
-  return read(name, diagnostics);
+  return read_scenario_text(name, diagnostics);
 }
 
 std::string path_of(const SpectralInput& input) {
@@ -26,7 +26,7 @@ std::string path_of(const SpectralInput& input) {
 
 TEST_CASE("a minimal scenario gives its values and the defaults", "[scenario]") {
   Diagnostics diagnostics;
-  const Scenario s = read("minimal.xml", diagnostics);
+  const Scenario s = read_scenario_text("minimal.xml", diagnostics);
   CHECK(diagnostics.messages().empty());
   CHECK(s.file == data_folder() / "minimal.xml");
   CHECK(s.name == "minimal");
@@ -64,7 +64,7 @@ TEST_CASE("a minimal scenario gives its values and the defaults", "[scenario]") 
 }
 
 TEST_CASE("light and air of a full scenario arrive in the plain data", "[scenario]") {
-  const Scenario s = read("full.xml");
+  const Scenario s = read_scenario_text("full.xml");
   CHECK(s.title == "Käse & bread");
   CHECK(s.time.to_string() == "2026-06-21T16:00:00.25Z");
   CHECK(s.time.ut1_utc().value == 0.1);
@@ -98,7 +98,7 @@ TEST_CASE("fixed bodies keep their angles and irradiance", "[scenario]") {
 }
 
 TEST_CASE("materials come from the scenario or from a library", "[scenario]") {
-  const Scenario s = read("full.xml");
+  const Scenario s = read_scenario_text("full.xml");
   CHECK(s.libraries == std::vector<std::filesystem::path>{data_folder() / "materials.xml"});
   REQUIRE(s.materials.size() == 5);
   CHECK(s.materials[0].name == "asphalt_road");  // by its own name
@@ -117,7 +117,7 @@ TEST_CASE("materials come from the scenario or from a library", "[scenario]") {
 }
 
 TEST_CASE("objects keep their form, place and materials", "[scenario]") {
-  const Scenario s = read("full.xml");
+  const Scenario s = read_scenario_text("full.xml");
   REQUIRE(s.geometry.size() == 8);
   const auto& terrain = std::get<TerrainInput>(s.geometry[0]);
   CHECK(terrain.raster == data_folder() / "ground.asc");
@@ -152,7 +152,7 @@ TEST_CASE("objects keep their form, place and materials", "[scenario]") {
 }
 
 TEST_CASE("lists of instances nest", "[scenario]") {
-  const Scenario s = read("full.xml");
+  const Scenario s = read_scenario_text("full.xml");
   const auto& forest = std::get<InstancesInput>(s.geometry[7]);
   CHECK(forest.name == "forest");
   CHECK(forest.list == data_folder() / "trees.csv");
@@ -165,7 +165,7 @@ TEST_CASE("lists of instances nest", "[scenario]") {
 }
 
 TEST_CASE("platform, camera and products arrive in the plain data", "[scenario]") {
-  const Scenario s = read("full.xml");
+  const Scenario s = read_scenario_text("full.xml");
   CHECK(std::get<geometry::Geodetic>(s.platform.position).height_m == 5000.0);
   const auto& look_at = std::get<PlatformInput::LookAt>(s.platform.attitude);
   CHECK(std::get<Vec3>(look_at.target) == Vec3{});

@@ -25,22 +25,22 @@ std::string warnings_of(const std::string& text) {
   return all;
 }
 
-Scenario read(const std::string& text) {
+Scenario read_temperature(const std::string& text) {
   Diagnostics diagnostics;
   return parse_scenario(text, test::data_folder() / "test.xml", diagnostics);
 }
-Scenario warm() { return read(test::warm_text()); }
+Scenario warm() { return read_temperature(test::warm_text()); }
 
 /// The minimal scenario with other materials in line 9; "grey" must be among them.
-std::string with_materials(const std::string& materials) {
+std::string with_temperature_materials(const std::string& materials) {
   return replaced(minimal_text(), "    <material name=\"grey\" reflectance=\"0.5\"/>", materials);
 }
 /// The same with one material whose source of temperature is `source`.
 std::string with_source(const std::string& source, const std::string& attributes = "") {
-  return with_materials("<material name=\"grey\" reflectance=\"0.5\"" + attributes + ">\n" +
-                        source + "</material>");
+  return with_temperature_materials("<material name=\"grey\" reflectance=\"0.5\"" + attributes +
+                                    ">\n" + source + "</material>");
 }
-std::string told(const std::string& source, const std::string& attributes = "") {
+std::string told_temperature(const std::string& source, const std::string& attributes = "") {
   return mistake_lines(with_source(source, attributes));
 }
 /// The minimal scenario with other geometry in line 12.
@@ -57,7 +57,7 @@ const MaterialInput& material_of(const Scenario& scenario, int index) {
 }
 
 // Kelvin and degrees Celsius differ by 273.15, which no decimal fraction of a degree hits exactly.
-Approx about(double kelvin) { return Approx(kelvin).epsilon(1e-15); }
+Approx about_temperature(double kelvin) { return Approx(kelvin).epsilon(1e-15); }
 
 }  // namespace
 
@@ -65,9 +65,9 @@ TEST_CASE("temperatures are given in kelvin or in degrees Celsius", "[scenario][
   const Scenario s = warm();
   REQUIRE(s.materials.size() > 10);
   CHECK(kelvin_of(s.materials[0]) == 310.5);
-  CHECK(kelvin_of(s.materials[1]) == about(270.0));
-  CHECK(kelvin_of(s.materials[2]) == about(288.15));
-  CHECK(kelvin_of(read(minimal_text()).materials.at(0)) == 300.0);
+  CHECK(kelvin_of(s.materials[1]) == about_temperature(270.0));
+  CHECK(kelvin_of(s.materials[2]) == about_temperature(288.15));
+  CHECK(kelvin_of(read_temperature(minimal_text()).materials.at(0)) == 300.0);
   const auto said = [](const std::string& temperature) {
     return mistake_lines(replaced(minimal_text(), "default_temperature_k=\"300\"", temperature));
   };
@@ -83,7 +83,8 @@ TEST_CASE("temperatures are given in kelvin or in degrees Celsius", "[scenario][
 
 TEST_CASE("only materials that all have a source need no default", "[scenario][temperature]") {
   const auto said = [](const std::string& materials) {
-    return mistake_lines(replaced(with_materials(materials), " default_temperature_k=\"300\"", ""));
+    return mistake_lines(
+        replaced(with_temperature_materials(materials), " default_temperature_k=\"300\"", ""));
   };
   CHECK(said("<material name=\"grey\" reflectance=\"0.5\" temperature_c=\"5\"/>").empty());
   CHECK(said("<material name=\"grey\" reflectance=\"0.5\"/>") ==
@@ -104,7 +105,7 @@ TEST_CASE("a raster of temperatures has a place, a unit and perhaps slices over 
   CHECK(field.slices[0].band == 1);
   CHECK_FALSE(field.slices[0].time);
   CHECK(field.gain == 0.1);
-  CHECK(field.offset_k == about(275.15));
+  CHECK(field.offset_k == about_temperature(275.15));
   CHECK(field.place.repeats);
   CHECK(std::get<GroundDrape>(field.place.drape).area->west_m == -50.0);
   CHECK(field.where.line == 29);
@@ -121,26 +122,26 @@ TEST_CASE("a raster of temperatures has a place, a unit and perhaps slices over 
 TEST_CASE("rasters of temperatures that contradict themselves are located",
           "[scenario][temperature][mistakes]") {
   const std::string slice = "<slice utc=\"2026-06-21T15:00:00Z\" file=\"ground.asc\"/>";
-  CHECK(told("<temperature_raster/>") ==
+  CHECK(told_temperature("<temperature_raster/>") ==
         "10:1: <temperature_raster> has neither a file nor a <slice> (write file=\"...\", or a "
         "<slice utc=\"...\" file=\"...\"/> for each time)\n");
-  CHECK(told("<temperature_raster file=\"ground.asc\" band=\"2\">" + slice +
-             "</temperature_raster>") ==
+  CHECK(told_temperature("<temperature_raster file=\"ground.asc\" band=\"2\">" + slice +
+                         "</temperature_raster>") ==
         "10:21: file is for a raster without slices, which name their own\n"
         "10:39: band is for a raster without slices, which name their own\n");
-  CHECK(told("<temperature_raster>" + slice + "\n" + slice + "</temperature_raster>") ==
+  CHECK(told_temperature("<temperature_raster>" + slice + "\n" + slice + "</temperature_raster>") ==
         "11:8: a slice of 2026-06-21T15:00:00Z is there already, in line 10\n");
-  CHECK(told("<temperature_raster><slice file=\"ground.asc\"/></temperature_raster>") ==
+  CHECK(told_temperature("<temperature_raster><slice file=\"ground.asc\"/></temperature_raster>") ==
         "10:21: <slice> lacks its attribute \"utc\" (it is a time in UTC such as "
         "2026-06-21T16:00:00Z)\n");
-  CHECK(told("<temperature_raster file=\"ground.asc\" unit=\"F\"/>") ==
+  CHECK(told_temperature("<temperature_raster file=\"ground.asc\" unit=\"F\"/>") ==
         "10:39: attribute \"unit\" of <temperature_raster>: \"F\", expected K or C\n");
-  CHECK(told("<temperature_raster file=\"ground.asc\" size_u=\"2\"/>") ==
+  CHECK(told_temperature("<temperature_raster file=\"ground.asc\" size_u=\"2\"/>") ==
         "10:39: size_u is for maps with drape=\"texture\"\n");
-  CHECK(told("<temperature_raster file=\"ground.asc\" west_m=\"2\"/>") ==
+  CHECK(told_temperature("<temperature_raster file=\"ground.asc\" west_m=\"2\"/>") ==
         "10:1: <temperature_raster> lacks south_m: give all four edges or none\n");
-  CHECK(told("<temperature_raster file=\"none.asc\"/>").find("10:21: file \"none.asc\" does not") ==
-        0);
+  CHECK(told_temperature("<temperature_raster file=\"none.asc\"/>")
+            .find("10:21: file \"none.asc\" does not") == 0);
 }
 
 TEST_CASE("tables, vertices and the air are sources of temperature", "[scenario][temperature]") {
@@ -151,22 +152,22 @@ TEST_CASE("tables, vertices and the air are sources of temperature", "[scenario]
   CHECK(engine.where.line == 39);
   const auto& statue = std::get<VertexTemperatureInput>(s.materials.at(8).temperature);
   CHECK(statue.gain == 0.5);
-  CHECK(statue.offset_k == about(273.15));
+  CHECK(statue.offset_k == about_temperature(273.15));
   CHECK(std::get<AirTemperatureInput>(s.materials.at(9).temperature).offset_k == -1.5);
-  CHECK(told("<temperature_table/>") ==
+  CHECK(told_temperature("<temperature_table/>") ==
         "10:1: <temperature_table> lacks its attribute \"file\" (it is a file *.csv)\n");
-  CHECK(told("<vertex_temperatures/>")
+  CHECK(told_temperature("<vertex_temperatures/>")
             .find("10:1: <material> may not hold <vertex_temperatures> "
                   "(did you mean \"vertex_temperature\"?)") == 0);
 }
 
 TEST_CASE("a material has one source of temperature", "[scenario][temperature][mistakes]") {
-  CHECK(told("", " temperature_k=\"300\" temperature_c=\"27\"") ==
+  CHECK(told_temperature("", " temperature_k=\"300\" temperature_c=\"27\"") ==
         "9:61: a material has one source of temperature; temperature_k stands in line 9 already\n");
-  CHECK(told("<vertex_temperature/>", " temperature_k=\"300\"")
+  CHECK(told_temperature("<vertex_temperature/>", " temperature_k=\"300\"")
             .find("10:1: a material has one source of temperature; temperature_k stands in line 9 "
                   "already\n") == 0);
-  CHECK(told("<temperature_table file=\"weather.csv\"/>\n<temperature_raster/>") ==
+  CHECK(told_temperature("<temperature_table file=\"weather.csv\"/>\n<temperature_raster/>") ==
         "11:1: a material has one source of temperature; <temperature_table> stands in line 10 "
         "already\n"
         "11:1: <temperature_raster> has neither a file nor a <slice> (write file=\"...\", or a "
@@ -185,17 +186,18 @@ TEST_CASE("solve asks a library's material for its heat balance",
   const std::string hint =
       " (in place of solve put <heat_balance><layer substance=\"...\"/></heat_balance> into it)\n";
   // Without solve the library's heat balance is not used.
-  CHECK(kelvin_of(read(with_materials(library + "<material name=\"grey\" from=\"asphalt\"/>"))
+  CHECK(kelvin_of(read_temperature(with_temperature_materials(
+                                       library + "<material name=\"grey\" from=\"asphalt\"/>"))
                       .materials.at(0)) == 300.0);
-  CHECK(told("", " solve=\"true\"") ==
+  CHECK(told_temperature("", " solve=\"true\"") ==
         "9:41: solve asks for the heat balance of a library's material, but \"grey\" is not from a "
         "library" +
             hint);
-  CHECK(mistake_lines(
-            with_materials(library + "<material name=\"grey\" from=\"meadow\" solve=\"true\"/>")) ==
+  CHECK(mistake_lines(with_temperature_materials(
+            library + "<material name=\"grey\" from=\"meadow\" solve=\"true\"/>")) ==
         "9:71: the library's material \"meadow\" has no heat balance" + hint);
-  CHECK(mistake_lines(
-            with_materials(library + "<material name=\"grey\" from=\"lawn\" solve=\"true\"/>"))
+  CHECK(mistake_lines(with_temperature_materials(
+                          library + "<material name=\"grey\" from=\"lawn\" solve=\"true\"/>"))
             .find("heat balance") == std::string::npos);
 }
 
@@ -205,10 +207,11 @@ TEST_CASE("a library's mistakes in heat balances are told with its own lines",
   std::ofstream{folder / "own.xml"} << "<materials>\n<material name=\"grey\" emissivity=\"1\">\n"
                                        "<heat_balance><layer/></heat_balance></material>\n"
                                        "</materials>\n";
-  CHECK(mistake_lines(with_materials("<library file=\"" + (folder / "own.xml").string() +
-                                     "\"/><material name=\"grey\"/>")) ==
-        "3:15: <layer> says not what it is made of (write substance=\"...\", or "
-        "conductivity_w_m_k, density_kg_m3 and specific_heat_j_kg_k)\n");
+  CHECK(
+      mistake_lines(with_temperature_materials("<library file=\"" + (folder / "own.xml").string() +
+                                               "\"/><material name=\"grey\"/>")) ==
+      "3:15: <layer> says not what it is made of (write substance=\"...\", or "
+      "conductivity_w_m_k, density_kg_m3 and specific_heat_j_kg_k)\n");
 }
 
 TEST_CASE("a part's temperature goes before its object's, and that before its material's",
@@ -223,7 +226,7 @@ TEST_CASE("a part's temperature goes before its object's, and that before its ma
   const MaterialInput& walls = material_of(s, hut.parts[1].material);
   CHECK(walls.name == "roof@303.15 K");
   CHECK(walls.variant_of == 4);
-  CHECK(kelvin_of(walls) == about(303.15));
+  CHECK(kelvin_of(walls) == about_temperature(303.15));
   CHECK(std::get<double>(walls.reflectance->source) == 0.6);
   const MaterialInput& rest = material_of(s, hut.parts[2].material);
   CHECK(rest.name == "car@303.15 K");
@@ -260,9 +263,9 @@ TEST_CASE("variants come after the materials of contrast maps", "[scenario][temp
       "<plane material=\"field\" size_x_m=\"9\" size_y_m=\"9\"/>"
       "<sphere radius_m=\"1\" material=\"grey\" temperature_k=\"280\"/>"
       "<sphere radius_m=\"1\" material=\"grey\"/>";
-  const Scenario s =
-      read(replaced(with_geometry(geometry), "<material name=\"grey\" reflectance=\"0.5\"/>",
-                    "<material name=\"grey\" reflectance=\"0.5\"/>" + map));
+  const Scenario s = read_temperature(
+      replaced(with_geometry(geometry), "<material name=\"grey\" reflectance=\"0.5\"/>",
+               "<material name=\"grey\" reflectance=\"0.5\"/>" + map));
   REQUIRE(s.materials.size() == 4);
   CHECK(std::get<ContrastInput>(s.maps.at(0).rule).materials == std::vector<int>{1, 2});
   CHECK(shape_material(s, 0) == 4);

@@ -15,7 +15,7 @@ using test::replaced;
 
 namespace {
 
-void write(const std::filesystem::path& file, const std::string& text) {
+void write_sensor(const std::filesystem::path& file, const std::string& text) {
   std::ofstream{file, std::ios::binary} << text;
 }
 
@@ -25,7 +25,7 @@ struct PresetScenario {
   std::string sensor = pushbroom_sensor;
 
   [[nodiscard]] Scenario read(const std::string& attributes) const {
-    write(folder / "twin.xml", sensor);
+    write_sensor(folder / "twin.xml", sensor);
     Diagnostics diagnostics;
     return parse_scenario(test::with_camera("<sensor file=\"twin.xml\" " + attributes + "/>\n"),
                           folder / "scenario.xml", diagnostics);
@@ -68,7 +68,7 @@ Vec2 place_of_sample(const ArrayInput& array, double sample) {
 
 TEST_CASE("a sensor file arrives in the plain data", "[scenario][sensor_file]") {
   const test::TemporaryFolder folder;
-  write(folder / "twin.xml", pushbroom_sensor);
+  write_sensor(folder / "twin.xml", pushbroom_sensor);
   CHECK(is_sensor_file(folder / "twin.xml"));
   CHECK_FALSE(is_sensor_file(test::data_folder() / "minimal.xml"));
   const SensorInput sensor = read_sensor_file(folder / "twin.xml");
@@ -207,7 +207,7 @@ TEST_CASE("mistakes of a sensor file name it, and are told with the scenario's",
 TEST_CASE("a sensor file lies beside the scenario or in the shipped data",
           "[scenario][sensor_file]") {
   const test::TemporaryFolder folder;
-  write(folder / "twin.xml", pushbroom_sensor);
+  write_sensor(folder / "twin.xml", pushbroom_sensor);
   const InputPaths paths{folder / "scenario.xml"};
   CHECK(paths.absolute_or_shipped("twin.xml") == folder / "twin.xml");
   const auto shipped = std::filesystem::path{NADIR_SOURCE_DIR} / "scenes/library/materials.xml";

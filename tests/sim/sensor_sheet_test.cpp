@@ -287,7 +287,8 @@ ArrayImage strip_of(const Camera& camera, int first, int lines) {
 }
 
 /// Numbers of all lines, cut into strips of so many.
-std::vector<std::uint16_t> numbers(const Camera& camera, int lines, std::uint64_t seed) {
+std::vector<std::uint16_t> sensor_sheet_numbers(const Camera& camera, int lines,
+                                                std::uint64_t seed) {
   DetectorStage stage{camera, ProductsInput{}, seed};
   std::vector<std::uint16_t> all;
   for (int first = 0; first < camera.arrays[0].lines; first += lines) {
@@ -311,11 +312,11 @@ Camera striped_camera() {
 
 TEST_CASE("how an image is cut into strips does not show in its numbers", "[sim][sensor]") {
   const Camera camera = striped_camera();
-  const auto whole = numbers(camera, 50, 4);
+  const auto whole = sensor_sheet_numbers(camera, 50, 4);
   CHECK(whole.size() == 1500);
-  CHECK(whole == numbers(camera, 7, 4));
-  CHECK(whole == numbers(camera, 1, 4));
-  CHECK(whole != numbers(camera, 50, 5));
+  CHECK(whole == sensor_sheet_numbers(camera, 7, 4));
+  CHECK(whole == sensor_sheet_numbers(camera, 1, 4));
+  CHECK(whole != sensor_sheet_numbers(camera, 50, 5));
 }
 
 TEST_CASE("detectors fill what was asked for, of bands that have them", "[sim][sensor]") {

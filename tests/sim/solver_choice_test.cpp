@@ -25,7 +25,7 @@ sim::SceneFacts thermal_facts(double rho) {
   return facts;
 }
 
-sim::EffectPlan plan_of(EffectSet on, double lit = 0.0) {
+sim::EffectPlan plan_of_solver_choice(EffectSet on, double lit = 0.0) {
   sim::EffectPlan effects;
   for (std::size_t i = 0; i < radiometry::effect_count; ++i) {
     effects.decisions[i].effect = static_cast<Effect>(i);
@@ -48,7 +48,7 @@ const EffectSet at_night = EffectSet{}
 }  // namespace
 
 TEST_CASE("a thermal night of high emissivity is left to quads", "[sim][solver_choice]") {
-  const auto choice = sim::choose_solver(thermal_facts(0.05), plan_of(at_night));
+  const auto choice = sim::choose_solver(thermal_facts(0.05), plan_of_solver_choice(at_night));
   CHECK(choice.method == Method::generic);
   CHECK(choice.settings.initial_sample_count == 2);
   CHECK(choice.settings.max_bounces == 1);
@@ -63,7 +63,7 @@ TEST_CASE("what the limit of bounces leaves out fits into the budget, or paths a
   const double rho = GENERATE(0.02, 0.08, 0.11, 0.15);
   const double accuracy = GENERATE(0.1, 0.01, 0.001, 1e-5);
   CAPTURE(rho, accuracy);
-  auto effects = plan_of(at_night);
+  auto effects = plan_of_solver_choice(at_night);
   effects.relative = accuracy;
   const auto facts = thermal_facts(rho);
   const auto choice = sim::choose_solver(facts, effects);
@@ -74,7 +74,7 @@ TEST_CASE("what the limit of bounces leaves out fits into the budget, or paths a
 }
 
 TEST_CASE("more bounces are taken before paths are", "[sim][solver_choice]") {
-  const auto choice = sim::choose_solver(thermal_facts(0.12), plan_of(at_night));
+  const auto choice = sim::choose_solver(thermal_facts(0.12), plan_of_solver_choice(at_night));
   CHECK(choice.method == Method::generic);
   CHECK(choice.settings.max_bounces == 2);  // 0.12^3 10 / 7.04 = 0.25 %, 0.12^4 0.03 %, of 1 %
 }
@@ -82,7 +82,7 @@ TEST_CASE("more bounces are taken before paths are", "[sim][solver_choice]") {
 TEST_CASE("where light counts, surfaces reflect or air is thick paths are taken",
           "[sim][solver_choice]") {
   const auto method = [](double rho, EffectSet on, double lit = 0.0) {
-    return sim::choose_solver(thermal_facts(rho), plan_of(on, lit)).method;
+    return sim::choose_solver(thermal_facts(rho), plan_of_solver_choice(on, lit)).method;
   };
   CHECK(method(0.3, at_night) == Method::path);
   CHECK(method(0.05, at_night.with(Effect::solar_reflection), 0.01) == Method::generic);
@@ -96,16 +96,16 @@ TEST_CASE("where light counts, surfaces reflect or air is thick paths are taken"
 
 TEST_CASE("without interreflection no path goes on", "[sim][solver_choice]") {
   const EffectSet day = EffectSet{}.with(Effect::solar_reflection).with(Effect::sky_scattering);
-  const auto choice = sim::choose_solver(thermal_facts(0.3), plan_of(day, 1.0));
+  const auto choice = sim::choose_solver(thermal_facts(0.3), plan_of_solver_choice(day, 1.0));
   CHECK(choice.method == Method::generic);
   CHECK(choice.settings.max_bounces == 0);
   CHECK(choice.settings.mu_samples * choice.settings.phi_samples == 12);
-  const auto night =
-      sim::choose_solver(thermal_facts(0.3), plan_of(at_night.without(Effect::interreflection)));
+  const auto night = sim::choose_solver(
+      thermal_facts(0.3), plan_of_solver_choice(at_night.without(Effect::interreflection)));
   CHECK(night.method == Method::generic);
   CHECK(night.settings.mu_samples * night.settings.phi_samples == 32);
-  CHECK(sim::choose_solver(thermal_facts(0.3), plan_of(day.with(Effect::lamps), 1.0)).method ==
-        Method::path);
+  CHECK(sim::choose_solver(thermal_facts(0.3), plan_of_solver_choice(day.with(Effect::lamps), 1.0))
+            .method == Method::path);
 }
 
 }  // namespace nadir::test

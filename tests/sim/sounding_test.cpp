@@ -21,19 +21,20 @@ const Profile& standard() {
   return profile;
 }
 
-std::string message(const std::string& text) {
+std::string sounding_message(const std::string& text) {
   Diagnostics diagnostics;
   return support::message_of(
       [&] { static_cast<void>(parse_sounding(text, "s.csv", standard(), diagnostics)); });
 }
 
 // Hydrostatic at about 288 K: a scale height of 8.43 km.
-const std::string head = "height_m,pressure_hpa,temperature_c,relative_humidity_percent\n";
+const std::string sounding_head = "height_m,pressure_hpa,temperature_c,relative_humidity_percent\n";
 
 TEST_CASE("a sounding joins a standard profile above its top", "[sim][sounding]") {
   Diagnostics diagnostics;
-  const Profile air = parse_sounding(head + "300,980,15,60\n1300,870,9,50\n3300,681,-4,30\n",
-                                     "s.csv", standard(), diagnostics);
+  const Profile air =
+      parse_sounding(sounding_head + "300,980,15,60\n1300,870,9,50\n3300,681,-4,30\n", "s.csv",
+                     standard(), diagnostics);
   CHECK(diagnostics.messages().empty());
   CHECK(air.levels[0].height_m == 300.0);
   CHECK(air.levels[1].temperature_k == Approx(282.15).epsilon(1e-12));
@@ -73,40 +74,43 @@ TEST_CASE("humidity may be given in four ways", "[sim][sounding]") {
 }
 
 TEST_CASE("mistakes of a sounding have their places", "[sim][sounding]") {
-  CHECK(message(head + "0,1013,15,60\n0,900,10,60\n") ==
+  CHECK(sounding_message(sounding_head + "0,1013,15,60\n0,900,10,60\n") ==
         "s.csv:3:1: error: heights must ascend: 0 m follows 0 m\n"
         "    3 | 0,900,10,60\n"
         "      | ^\n");
-  CHECK(message(head + "0,1013,15,60\n\n# a remark\n1000,1020,10,60\n") ==
+  CHECK(sounding_message(sounding_head + "0,1013,15,60\n\n# a remark\n1000,1020,10,60\n") ==
         "s.csv:5:6: error: pressures must fall with height: 1020 hPa follows 1013 hPa\n"
         "    5 | 1000,1020,10,60\n"
         "      |      ^\n");
-  CHECK(message(head + "0,1013,15,103\n1000,900,10,60\n") ==
+  CHECK(sounding_message(sounding_head + "0,1013,15,103\n1000,900,10,60\n") ==
         "s.csv:2:11: error: relative_humidity_percent must lie from 0 to 102\n"
         "    2 | 0,1013,15,103\n"
         "      |           ^\n");
   CHECK_THAT(
-      message("height_m,pressure_hpa,temperature_c,dewpoint_c\n0,1013,15,16\n1000,900,10,5\n"),
+      sounding_message(
+          "height_m,pressure_hpa,temperature_c,dewpoint_c\n0,1013,15,16\n1000,900,10,5\n"),
       Catch::Matchers::Contains("s.csv:2:11: error: the humidity lies above saturation: 107 %"));
-  CHECK_THAT(message(head + "0,1013,-140,10\n1000,900,10,60\n"),
+  CHECK_THAT(sounding_message(sounding_head + "0,1013,-140,10\n1000,900,10,60\n"),
              Catch::Matchers::Contains("s.csv:2:8: error: temperature_c must lie from"));
-  CHECK(message(head + "0,1013,15,60\n") == "s.csv: error: a sounding needs at least two rows\n");
-  CHECK_THAT(message("height_m,pressure_hpa,temperature_c\n0,1013,15\n1000,900,10\n"),
+  CHECK(sounding_message(sounding_head + "0,1013,15,60\n") ==
+        "s.csv: error: a sounding needs at least two rows\n");
+  CHECK_THAT(sounding_message("height_m,pressure_hpa,temperature_c\n0,1013,15\n1000,900,10\n"),
              Catch::Matchers::Contains(
                  "expected one of the columns relative_humidity_percent, dewpoint_c, "
                  "mixing_ratio_g_kg, h2o_ppmv, found none"));
-  CHECK_THAT(message("height_m,pressure_hpa,temperature_c,temperature_k,h2o_ppmv\n0,1013,15,288,1\n"
-                     "1000,900,10,283,1\n"),
+  CHECK_THAT(sounding_message(
+                 "height_m,pressure_hpa,temperature_c,temperature_k,h2o_ppmv\n0,1013,15,288,1\n"
+                 "1000,900,10,283,1\n"),
              Catch::Matchers::Contains("temperature_k, temperature_c, found 2"));
 }
 
 TEST_CASE("heights and pressures that disagree are told or refused", "[sim][sounding]") {
   // Feet for metres: the layer is 3.28 times too thick.
-  CHECK_THAT(message(head + "0,1013,15,60\n3281,900,9,60\n"),
+  CHECK_THAT(sounding_message(sounding_head + "0,1013,15,60\n3281,900,9,60\n"),
              Catch::Matchers::Contains("s.csv:3:1: error: heights and pressures disagree"));
   Diagnostics diagnostics;
-  static_cast<void>(
-      parse_sounding(head + "0,1013,15,60\n1080,900,9,60\n", "s.csv", standard(), diagnostics));
+  static_cast<void>(parse_sounding(sounding_head + "0,1013,15,60\n1080,900,9,60\n", "s.csv",
+                                   standard(), diagnostics));
   REQUIRE(diagnostics.messages().size() == 1);
   CHECK_THAT(diagnostics.messages()[0], Catch::Matchers::Contains("disagree by 9 % below 1080 m"));
 }

@@ -14,7 +14,7 @@ using spectral::Outside;
 
 namespace {
 
-const std::string header =
+const std::string spectrum_header =
     "# nadir-spectrum: 1\n"
     "# title: Two greys\n"
     "# quantity: reflectance\n"
@@ -53,7 +53,8 @@ class TemporaryFile {
 
 TEST_CASE("a spectrum file gives its facts and its columns", "[sim][spectrum]") {
   const auto file = sim::parse_spectrum(
-      header + "wavelength_um,light,dark\n0.4,0.5,0.1\n0.7,0.6,\n1e0,.75,2.5e-1\n", "grey.csv");
+      spectrum_header + "wavelength_um,light,dark\n0.4,0.5,0.1\n0.7,0.6,\n1e0,.75,2.5e-1\n",
+      "grey.csv");
   CHECK(file.path == "grey.csv");
   CHECK(file.title == "Two greys");
   CHECK(file.quantity == SpectrumQuantity::reflectance);
@@ -72,7 +73,7 @@ TEST_CASE("a spectrum file gives its facts and its columns", "[sim][spectrum]") 
 
 TEST_CASE("byte-order mark, CR LF, blank lines and a missing last line end are read",
           "[sim][spectrum]") {
-  std::string text = "\xEF\xBB\xBF" + header + "\nwavelength_um,grey\n0.4,0.5\n\n0.7, 0.6";
+  std::string text = "\xEF\xBB\xBF" + spectrum_header + "\nwavelength_um,grey\n0.4,0.5\n\n0.7, 0.6";
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) {
     text.insert(at, "\r");
   }
@@ -158,11 +159,12 @@ TEST_CASE("numbers are read strictly", "[sim][spectrum]") {
   const std::string token = GENERATE("1.5x", "0x1p-1", "inf", "-nan", "1e999", "+0.5", "0.5 0.5",
                                      ".", "1e", "0,5", "\"0.5\"");
   CAPTURE(token);
-  CHECK(error_of(header + "wavelength_um,grey\n0.4,0.5\n0.7," + token + "\n") != "no error");
+  CHECK(error_of(spectrum_header + "wavelength_um,grey\n0.4,0.5\n0.7," + token + "\n") !=
+        "no error");
 }
 
 TEST_CASE("values outside the quantity's range are refused", "[sim][spectrum]") {
-  CHECK(error_of(header + "wavelength_um,grey\n0.4,0.5\n0.7,1.01\n0.8,-0.01\n") ==
+  CHECK(error_of(spectrum_header + "wavelength_um,grey\n0.4,0.5\n0.7,1.01\n0.8,-0.01\n") ==
         "grey.csv:13:5: error: grey is 1.01; reflectance is from 0 to 1\n"
         "    13 | 0.7,1.01\n"
         "       |     ^\n"
@@ -189,21 +191,21 @@ TEST_CASE("a unit that is not the quantity's is refused, in either order", "[sim
 
 TEST_CASE("files without a table are refused", "[sim][spectrum]") {
   CHECK(error_of("") == "grey.csv: error: the file has no row of column names\n");
-  CHECK(error_of(header) == "grey.csv: error: the file has no row of column names\n");
-  CHECK(error_of(header + "wavelength_um\n") ==
+  CHECK(error_of(spectrum_header) == "grey.csv: error: the file has no row of column names\n");
+  CHECK(error_of(spectrum_header + "wavelength_um\n") ==
         "grey.csv:11:1: error: expected at least one column beside the wavelength\n"
         "    11 | wavelength_um\n"
         "       | ^\n");
-  CHECK(error_of(header + "wavelength_um,a,b\n0.4,0.5,\n0.5,0.5,0.5\n") ==
+  CHECK(error_of(spectrum_header + "wavelength_um,a,b\n0.4,0.5,\n0.5,0.5,0.5\n") ==
         "grey.csv: error: column \"b\" has 1 values; expected at least 2\n");
-  CHECK(error_of(header + "wavelength_um,a\n0.4,0.5\n# note: late\n0.5,0.5\n") ==
+  CHECK(error_of(spectrum_header + "wavelength_um,a\n0.4,0.5\n# note: late\n0.5,0.5\n") ==
         "grey.csv:13:1: error: a header line must stand above the row of column names\n"
         "    13 | # note: late\n"
         "       | ^\n");
 }
 
 TEST_CASE("a file of another kind is given up after a hundred mistakes", "[sim][spectrum]") {
-  std::string text = header + "wavelength_um,grey\n";
+  std::string text = spectrum_header + "wavelength_um,grey\n";
   for (int i = 0; i < 1000; ++i) text += "x,y\n";
   try {
     (void)sim::parse_spectrum(text, "grey.csv");
@@ -216,7 +218,7 @@ TEST_CASE("a file of another kind is given up after a hundred mistakes", "[sim][
 
 TEST_CASE("a column is found by name, or answered with the nearest", "[sim][spectrum]") {
   const auto file =
-      sim::parse_spectrum(header + "wavelength_um,red,green\n1,0,0\n2,0,0\n", "g.csv");
+      sim::parse_spectrum(spectrum_header + "wavelength_um,red,green\n1,0,0\n2,0,0\n", "g.csv");
   CHECK_THROWS_WITH(file.column("gren"),
                     "g.csv: error: there is no column \"gren\"\n"
                     "    hint: did you mean \"green\"?\n");
@@ -249,7 +251,7 @@ TEST_CASE("a plain table's unit is never guessed", "[sim][spectrum]") {
 }
 
 TEST_CASE("a curve is read for the quantity that its user needs", "[sim][spectrum]") {
-  const TemporaryFile file{"grey.csv", header + "wavelength_um,grey\n0.4,0.5\n0.8,0.7\n"};
+  const TemporaryFile file{"grey.csv", spectrum_header + "wavelength_um,grey\n0.4,0.5\n0.8,0.7\n"};
   const std::string name = file.path.string();
   const auto curve = sim::read_curve(file.path, "", SpectrumQuantity::reflectance, Outside::reject);
   CHECK(curve.at(0.6_um) == Approx(0.6).epsilon(1e-15));
@@ -265,7 +267,7 @@ TEST_CASE("a curve is read for the quantity that its user needs", "[sim][spectru
 
 TEST_CASE("both parts of a refractive index come from one file and are not mixed up",
           "[sim][spectrum]") {
-  std::string text = header;
+  std::string text = spectrum_header;
   text.replace(text.find("reflectance"), 11, "refractive_index");
   const TemporaryFile file{"gold.csv", text + "wavelength_um,n,k\n0.4,1.5,1.9\n0.8,0.2,4.9\n"};
   const std::string name = file.path.string();

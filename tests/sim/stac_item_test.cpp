@@ -13,7 +13,7 @@ using namespace nadir::sim;
 using Json = nlohmann::json;
 
 TEST_CASE("a satellite's item says where, when and from where it looked") {
-  const auto scene = support::satellite();
+  const auto scene = sim::support::satellite();
   const Json item = Json::parse(stac_item(scene->task("out/line"), {}, {}));
   CHECK(item["type"] == "Feature");
   CHECK(item["stac_version"] == "1.1.0");
@@ -42,7 +42,7 @@ TEST_CASE("a satellite's item says where, when and from where it looked") {
 }
 
 TEST_CASE("staggered modules that meet in the middle of the image leave its pixels their size") {
-  const auto scene = support::satellite();
+  const auto scene = sim::support::satellite();
   const auto gsd = [&] {
     const Json item = Json::parse(stac_item(scene->task("out/line"), {}, {}));
     const Json& properties = item["properties"];
@@ -57,7 +57,7 @@ TEST_CASE("staggered modules that meet in the middle of the image leave its pixe
 }
 
 TEST_CASE("the view's azimuth leads from below the camera to the scene") {
-  const auto scene = support::drone();
+  const auto scene = sim::support::drone();
   const Json item = Json::parse(stac_item(scene->task("out/frame"), {}, {}));
   // Yaw 30; the image's middle lies half a degree off the axis, which is tilted by 15.
   CHECK(item["properties"]["view:azimuth"].get<double>() == Approx(30.0).margin(2.5));
@@ -65,7 +65,7 @@ TEST_CASE("the view's azimuth leads from below the camera to the scene") {
 }
 
 TEST_CASE("an item on a map has its projection, and one at rest no orbit") {
-  const auto scene = support::orthographic(0.5, 20.0);
+  const auto scene = sim::support::orthographic(0.5, 20.0);
   const GeoTask task = scene->task("out/map");
   const Json item = Json::parse(stac_item(task, map_of(task), {}));
   CHECK(item["properties"]["proj:code"] == "EPSG:32632");
@@ -77,17 +77,17 @@ TEST_CASE("an item on a map has its projection, and one at rest no orbit") {
 }
 
 TEST_CASE("all products of an array are written and listed as the item's assets") {
-  const support::ScratchFolder folder;
-  const auto scene = support::satellite(40, 30);
-  support::write_counting_image<float>(folder / "line_radiance.img", scene->array(), 0.0);
-  support::write_counting_image<std::uint16_t>(folder / "line_dn.img", scene->array(), 0.0);
+  const sim::support::ScratchFolder folder;
+  const auto scene = sim::support::satellite(40, 30);
+  sim::support::write_counting_image<float>(folder / "line_radiance.img", scene->array(), 0.0);
+  sim::support::write_counting_image<std::uint16_t>(folder / "line_dn.img", scene->array(), 0.0);
   scene->context.wanted.geotiff = scene->context.wanted.netcdf = true;
   scene->context.calibrations = {{{0.5, 0.25}}};
   const auto stem = folder / "line";
   const auto files = write_geo_products(
       scene->context, 0, stem, {{"radiance", "line", stem.string() + "_radiance.img", 4800}});
   REQUIRE(files.size() == 5);  // two GeoTIFFs, swath, ISD, item
-  const Json item = Json::parse(support::content_of(stem.string() + "_stac.json"));
+  const Json item = Json::parse(sim::support::content_of(stem.string() + "_stac.json"));
   const Json& assets = item["assets"];
   CHECK(assets.size() == 5);  // the same but the item, and the image
   CHECK(assets["radiance_img"]["href"] == "./line_radiance.img");

@@ -275,7 +275,7 @@ TEST_CASE("pixels are stratified: one in each cell, none twice", "[sim][study]")
   const auto places = stratified_pixels({100, 100}, 100, 5);
   REQUIRE(places.size() == 100);
   std::vector<int> cells(100, 0);
-  for (const ImagePlace& p : places)
+  for (const StudyPixel& p : places)
     ++cells[static_cast<std::size_t>(p.line / 10 * 10 + p.sample / 10)];
   CHECK(std::all_of(cells.begin(), cells.end(), [](int count) { return count == 1; }));
   CHECK(stratified_pixels({100, 100}, 100, 6) != places);

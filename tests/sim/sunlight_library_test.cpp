@@ -12,17 +12,17 @@ using namespace nadir;
 using namespace nadir::sim;
 namespace fs = std::filesystem;
 
-const fs::path shipped = fs::path{NADIR_SOURCE_DIR} / "scenes" / "library";
+const fs::path shipped_sunlight = fs::path{NADIR_SOURCE_DIR} / "scenes" / "library";
 
 spectral::Curve ground_sunlight() {
-  return read_curve(shipped / "illumination" / "sunlight_at_ground.csv", "",
+  return read_curve(shipped_sunlight / "illumination" / "sunlight_at_ground.csv", "",
                     SpectrumQuantity::irradiance, spectral::Outside::zero);
 }
 
 thermal::BroadbandOptics optics_of(const std::string& name) {
   materials::Material material;
   material.name = name;
-  material.reflectance = read_curve(shipped / "spectra" / (name + ".csv"), "",
+  material.reflectance = read_curve(shipped_sunlight / "spectra" / (name + ".csv"), "",
                                     SpectrumQuantity::reflectance, spectral::Outside::hold);
   return thermal::broadband_optics(material, ground_sunlight());
 }
@@ -31,7 +31,7 @@ thermal::BroadbandOptics optics_of(const std::string& name) {
 
 TEST_CASE("sunlight at the ground is the sun's less what the air takes", "[sim][library]") {
   const auto ground = ground_sunlight();
-  const auto sun = read_curve(shipped / "illumination" / "solar.csv", "",
+  const auto sun = read_curve(shipped_sunlight / "illumination" / "solar.csv", "",
                               SpectrumQuantity::irradiance, spectral::Outside::reject);
   const double mu = 2.0 / 3.0;
   const auto share = [&](double lo_um, double hi_um) {

@@ -42,7 +42,7 @@ void fill(const ScratchFolder& folder, int tiles, const RunKey& key = some_key()
   for (int i = 0; i < tiles; ++i) opened.journal.keep(maker(tile_at(3 * i)));
 }
 
-void write(const fs::path& file, const std::string& content) {
+void write_tile_journal(const fs::path& file, const std::string& content) {
   std::ofstream{file, std::ios::binary} << content;
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("a journal cut off at any byte of its last tile has all tiles before i
   }
   const std::string whole = support::content_of(file);
   for (std::size_t length = two; length < whole.size(); ++length) {
-    write(file, whole.substr(0, length));
+    write_tile_journal(file, whole.substr(0, length));
     Opened opened{folder};
     if (opened.journal.tiles() != 2 || !opened.journal.find(tile_at(3)) ||
         opened.journal.find(tile_at(6)) || fs::file_size(file) != two ||
@@ -163,7 +163,7 @@ TEST_CASE("a journal cut off at any byte of its last tile has all tiles before i
       FAIL("cut at byte " << length);
     }
   }
-  write(file, whole);
+  write_tile_journal(file, whole);
   CHECK(Opened{folder}.journal.tiles() == 3);
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("a flipped byte costs the tile that it is in, and no other", "[sim][jo
   for (std::size_t at = one; at < whole.size(); at += 31) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
-    write(file, damaged);
+    write_tile_journal(file, damaged);
     Opened opened{folder};
     int found = 0;
     for (const int sample : {0, 3, 6}) found += opened.journal.find(tile_at(sample)) ? 1 : 0;
@@ -214,7 +214,7 @@ TEST_CASE("any byte of a journal may be anything", "[sim][journal]") {
   for (std::size_t at = 0; at < whole.size(); at += 29) {
     std::string damaged = whole;
     for (std::size_t i = at; i < std::min(at + 4, damaged.size()); ++i) damaged[i] = '\xFF';
-    write(file, damaged);
+    write_tile_journal(file, damaged);
     Opened opened{folder};
     CHECK(opened.journal.tiles() <= 1);
     fs::remove(folder / "samples.nadir.old");
@@ -253,7 +253,7 @@ TEST_CASE("an empty journal makes room, a file of another kind is set aside", "[
   fill(folder, 0, some_key(1));
   CHECK(Opened{folder, some_key(2)}.diagnostics.messages().empty());
   CHECK(folder.entries() == 1);
-  write(folder / "samples.nadir", "my own notes");
+  write_tile_journal(folder / "samples.nadir", "my own notes");
   const Opened opened{folder, some_key(2)};
   CHECK(opened.diagnostics.messages().size() == 1);
   CHECK(support::content_of(folder / "samples.nadir.old") == "my own notes");
@@ -355,7 +355,7 @@ TEST_CASE("what a killed run left half written is cleared away", "[sim][journal]
   const std::string dead = ".a_radiance.img.999999999-3.tmp";  // beyond the greatest process
   const std::string alive = ".a_radiance.img." + std::to_string(::getpid()) + "-4.tmp";
   for (const std::string& name : {dead, alive, std::string{"mine.999999999-3.tmp"}}) {
-    write(folder / name, "half");
+    write_tile_journal(folder / name, "half");
   }
   const Opened opened{folder};
   CHECK_FALSE(fs::exists(folder / dead));

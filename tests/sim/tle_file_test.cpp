@@ -20,12 +20,12 @@ const std::string rocket =
     "1 16925U 86065D   06151.67415771  .02550794 -30915-6  18784-3 0  4486\n"
     "2 16925  62.0906 295.0239 5596327 245.1593  47.9690  4.88511875148616\n";
 
-std::string message(const std::string& text, const std::string& satellite = {}) {
+std::string tle_message(const std::string& text, const std::string& satellite = {}) {
   return support::message_of(
       [&] { static_cast<void>(parse_two_line_elements(text, "s.tle", satellite)); });
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
+std::string changed_tle(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
@@ -55,17 +55,18 @@ TEST_CASE("a satellite is chosen by name or catalogue number", "[sim][tle]") {
   CHECK(parse_two_line_elements(file, "s.tle", "SL-6 R/B(2)").catalogue_number == 16925);
   CHECK(parse_two_line_elements(file, "s.tle", "16925").catalogue_number == 16925);
   CHECK(parse_two_line_elements(file, "s.tle", "5").catalogue_number == 5);
-  CHECK(message(file) ==
+  CHECK(tle_message(file) ==
         "error: s.tle has 2 element sets: say which by its name or catalogue number\n"
         "    hint: the file has 00005 \"VANGUARD 1\", 16925 \"SL-6 R/B(2)\"\n");
-  CHECK(message(file, "VANGUARD 2") ==
+  CHECK(tle_message(file, "VANGUARD 2") ==
         "error: there is no satellite \"VANGUARD 2\" in s.tle\n"
         "    hint: did you mean \"VANGUARD 1\"?\n");
-  CHECK_THAT(message(file, "77"), Contains("hint: the file has 00005 \"VANGUARD 1\", 16925"));
-  CHECK(message(file + rocket, "16925") ==
+  CHECK_THAT(tle_message(file, "77"), Contains("hint: the file has 00005 \"VANGUARD 1\", 16925"));
+  CHECK(tle_message(file + rocket, "16925") ==
         "s.tle: error: the file has more than one element set for \"16925\", in lines 8 and 10: "
         "keep the one whose epoch is nearest\n");
-  CHECK(message("# nothing\n") == "s.tle: error: there is no two-line element set in the file\n");
+  CHECK(tle_message("# nothing\n") ==
+        "s.tle: error: there is no two-line element set in the file\n");
 }
 
 TEST_CASE("catalogue numbers above 99999 begin with a letter", "[sim][tle]") {
@@ -87,41 +88,43 @@ TEST_CASE("a file of elements is read from disk", "[sim][tle]") {
 }
 
 TEST_CASE("mistakes of two-line elements have their places", "[sim][tle]") {
-  CHECK(message(changed(vanguard, "34.2682", "34.2683")) ==
+  CHECK(tle_message(changed_tle(vanguard, "34.2682", "34.2683")) ==
         "s.tle:2:69: error: the checksum is \"7\", the line's is 8: a digit has been changed\n"
         "    2 | 2 00005  34.2683 348.7242 1859667 331.7664  19.3264 10.82419157413667\n"
         "      |                                                                     ^\n");
   // 34.2682 to 934.268: the digits' sum grows by 9 - 2 = 7.
-  CHECK_THAT(message(changed(vanguard, " 34.2682", "934.268 ")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, " 34.2682", "934.268 ")),
              Contains("s.tle:2:9: error: the inclination is \"934.268\", expected 0 to 180"));
   CHECK_THAT(
-      message(changed(vanguard, "28098-4", "28098x4")),
+      tle_message(changed_tle(vanguard, "28098-4", "28098x4")),
       Contains("s.tle:1:55: error: the drag term B* is \"28098x4\", expected digits, a sign"));
-  CHECK_THAT(message(changed(vanguard, "1859667", "18596.7")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, "1859667", "18596.7")),
              Contains("s.tle:2:27: error: the eccentricity is \"18596.7\", expected seven digits"));
-  CHECK_THAT(message(changed(vanguard, "00179.7", "00379.7")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, "00179.7", "00379.7")),
              Contains("s.tle:1:21: error: the epoch's day of the year is \"379.78495062\""));
-  CHECK_THAT(message(changed(vanguard, "2 00005", "2 00006")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, "2 00005", "2 00006")),
              Contains("s.tle:2:3: error: line 2 is of \"00006\", line 1 of \"00005\""));
-  CHECK_THAT(message(changed(vanguard, "-4 0 ", "-4 4 ")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, "-4 0 ", "-4 4 ")),
              Contains("s.tle:1:63: error: the ephemeris type is \"4\", expected 0"));
-  CHECK_THAT(message(changed(vanguard, "10.82419157", "00.00000000")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, "10.82419157", "00.00000000")),
              Contains("s.tle:2:53: error: the mean motion is \"00.00000000\", expected above 0"));
-  CHECK_THAT(message(changed(vanguard, " 00005U", " 000 5U")),
+  CHECK_THAT(tle_message(changed_tle(vanguard, " 00005U", " 000 5U")),
              Contains("s.tle:1:3: error: the catalogue number is \"000 5\""));
 }
 
 TEST_CASE("lines that do not make a set are told", "[sim][tle]") {
   const std::string first = vanguard.substr(0, 70), second = vanguard.substr(70);
-  CHECK_THAT(message(first), Contains("s.tle:1:1: error: line 1 of a set of elements without its "
-                                      "line 2"));
-  CHECK_THAT(message(second), Contains("s.tle:1:1: error: line 2 of a set of elements without its "
-                                       "line 1"));
-  CHECK_THAT(message(first + first + second), Contains("s.tle:1:1: error: line 1 of a set"));
-  CHECK_THAT(message(vanguard.substr(0, 60) + "\n" + second),
+  CHECK_THAT(tle_message(first),
+             Contains("s.tle:1:1: error: line 1 of a set of elements without its "
+                      "line 2"));
+  CHECK_THAT(tle_message(second),
+             Contains("s.tle:1:1: error: line 2 of a set of elements without its "
+                      "line 1"));
+  CHECK_THAT(tle_message(first + first + second), Contains("s.tle:1:1: error: line 1 of a set"));
+  CHECK_THAT(tle_message(vanguard.substr(0, 60) + "\n" + second),
              Contains("s.tle:1:1: error: a line of two-line elements has 69 columns, this one has "
                       "60"));
-  CHECK_THAT(message(vanguard.substr(0, 139) + "     0.0  4320.0\n"),
+  CHECK_THAT(tle_message(vanguard.substr(0, 139) + "     0.0  4320.0\n"),
              Contains("s.tle:2:1: error: a line of two-line elements has 69 columns"));
 }
 

@@ -17,7 +17,7 @@ using support::printed;
 
 namespace {
 
-const AirRunSettings on_sea{0.0, 100'000.0, std::nullopt, 1.0};
+const AirRunSettings on_sea_uvspec{0.0, 100'000.0, std::nullopt, 1.0};
 
 // A slab of optical depth 0.6, of which 0.4 lie below the eye at 5 km; sources are 20 (solar, at
 // azimuth 0) and 7 (thermal) at either wavelength times 1 and 2.
@@ -81,17 +81,18 @@ std::string block_output() {
 const std::string user_input = std::string{solar_input} + "output_user lambda zout edir edn uu\n";
 
 AirRunSet parsed(const std::string& input, const std::string& output) {
-  return parse_uvspec({"a.inp", input}, {"a.out", output}, on_sea, {});
+  return parse_uvspec({"a.inp", input}, {"a.out", output}, on_sea_uvspec, {});
 }
 
-std::string told(const std::string& input, const std::string& output) {
+std::string told_uvspec(const std::string& input, const std::string& output) {
   return support::message_of([&] { static_cast<void>(parsed(input, output)); });
 }
 
 }  // namespace
 
 TEST_CASE("uvspec's own columns of a slab become its table", "[uvspec]") {
-  const atmosphere::AirTable table = table_of_runs(parsed(user_input, user_output()), on_sea);
+  const atmosphere::AirTable table =
+      table_of_runs(parsed(user_input, user_output()), on_sea_uvspec);
   REQUIRE(table.lanes.size() == 2);
   CHECK(table.lanes[0].wavelength_um == Approx(0.5).epsilon(1e-12));
   CHECK(table.bodies.at(0).zenith_rad == Approx(60.0 * degree).epsilon(1e-12));
@@ -109,7 +110,8 @@ TEST_CASE("uvspec's own columns of a slab become its table", "[uvspec]") {
 }
 
 TEST_CASE("uvspec's levels between ground and top become views of sources", "[uvspec]") {
-  const atmosphere::AirTable table = table_of_runs(parsed(user_input, user_output()), on_sea);
+  const atmosphere::AirTable table =
+      table_of_runs(parsed(user_input, user_output()), on_sea_uvspec);
   REQUIRE(table.views.size() == 2);  // at 5 km and at the top
   const auto& view = table.views[0];
   CHECK(view.height_m == 5000.0);
@@ -146,7 +148,7 @@ TEST_CASE("thermal output is per wavenumber unless the input says otherwise", "[
   CHECK(even("", "7e-2") == Approx(7.0).epsilon(1e-12));
   CHECK(even("thermal_bandwidth 5\n", "35e-2") == Approx(7.0).epsilon(1e-12));
   CHECK(even("output_process per_nm\n", "7e-3") == Approx(7.0).epsilon(1e-12));
-  CHECK(told(start + "mol_abs_param fu\n", "1 1\n")
+  CHECK(told_uvspec(start + "mol_abs_param fu\n", "1 1\n")
             .find("a.inp:5:15: error: this scheme gives "
                   "sums over bands") == 0);
 }
@@ -172,7 +174,7 @@ TEST_CASE("solar and thermal runs of uvspec make one table", "[uvspec]") {
   AirImport wanted;
   wanted.from = AirSource::uvspec;
   wanted.files = {folder / "sun.out", folder / "heat.out"};
-  wanted.settings = on_sea;
+  wanted.settings = on_sea_uvspec;
   const atmosphere::AirTable table = import_air(wanted);
   CHECK(table.sky.even[0] == Approx(7.0 * (1.0 - std::exp(-0.6))).epsilon(1e-6));
   REQUIRE(table.views.size() == 2);
@@ -183,26 +185,31 @@ TEST_CASE("solar and thermal runs of uvspec make one table", "[uvspec]") {
 
 TEST_CASE("watts are told from milliwatts", "[uvspec]") {
   const AirRunSet set =
-      parse_uvspec({"a.inp", user_input}, {"a.out", user_output()}, on_sea, {true});
+      parse_uvspec({"a.inp", user_input}, {"a.out", user_output()}, on_sea_uvspec, {true});
   CHECK(set.sun_irradiance[0] == Approx(1000.0 * sun).epsilon(1e-6));
 }
 
 TEST_CASE("mistakes of uvspec's files are told with their lines", "[uvspec]") {
   const std::string out = user_output();
-  CHECK(told("sza 3\n", out).find("a.inp: error: the input has no line \"source solar\"") == 0);
-  CHECK(told(user_input + "include more.inp\n", out).find("a.inp:10:1: error: included files") ==
+  CHECK(told_uvspec("sza 3\n", out).find("a.inp: error: the input has no line \"source solar\"") ==
         0);
-  CHECK(told(user_input + "output_quantity reflectivity\n", out).find("a.inp:10:1: error: ") == 0);
-  CHECK(told(user_input + "sza forty\n", out).find("a.inp:10:5: error: expected a number") == 0);
-  CHECK(told(user_input + "albedo 0.2\n", out).find("use albedo 0") != std::string::npos);
-  CHECK(told(user_input + "zout 5 0\n", out).find("the levels do not ascend") != std::string::npos);
-  CHECK(told(user_input, "").find("a.out: error: the output is empty") == 0);
+  CHECK(told_uvspec(user_input + "include more.inp\n", out)
+            .find("a.inp:10:1: error: included files") == 0);
   CHECK(
-      told(user_input, "1 2 3\n").find("a.out:1:1: error: output_user names 20 numbers, found 3") ==
+      told_uvspec(user_input + "output_quantity reflectivity\n", out).find("a.inp:10:1: error: ") ==
       0);
-  CHECK(told(user_input, out.substr(0, out.size() / 3)).find("a.out:") == 0);
-  CHECK(told(solar_input, block_output().substr(0, 200)).find("a.out:") == 0);
-  CHECK(told(user_input, "x\n").find("a.out:1:1: error: expected a number, found \"x\"") == 0);
+  CHECK(told_uvspec(user_input + "sza forty\n", out).find("a.inp:10:5: error: expected a number") ==
+        0);
+  CHECK(told_uvspec(user_input + "albedo 0.2\n", out).find("use albedo 0") != std::string::npos);
+  CHECK(told_uvspec(user_input + "zout 5 0\n", out).find("the levels do not ascend") !=
+        std::string::npos);
+  CHECK(told_uvspec(user_input, "").find("a.out: error: the output is empty") == 0);
+  CHECK(told_uvspec(user_input, "1 2 3\n")
+            .find("a.out:1:1: error: output_user names 20 numbers, found 3") == 0);
+  CHECK(told_uvspec(user_input, out.substr(0, out.size() / 3)).find("a.out:") == 0);
+  CHECK(told_uvspec(solar_input, block_output().substr(0, 200)).find("a.out:") == 0);
+  CHECK(told_uvspec(user_input, "x\n").find("a.out:1:1: error: expected a number, found \"x\"") ==
+        0);
 }
 
 TEST_CASE("a view without its transmittance is missed", "[uvspec]") {
@@ -210,7 +217,7 @@ TEST_CASE("a view without its transmittance is missed", "[uvspec]") {
       "source thermal\numu -1\nzout 0 5 TOA\noutput_process per_nm\noutput_user lambda uu\n";
   const AirRunSet set = parsed(input, "10000 1\n10000 0.5\n10000 0\n");
   CHECK(
-      support::message_of([&] { static_cast<void>(table_of_runs(set, on_sea)); })
+      support::message_of([&] { static_cast<void>(table_of_runs(set, on_sea_uvspec)); })
           .find("from 5000 m at zenith angle 0 degrees, to the end of the air: one that gives the "
                 "transmittance") != std::string::npos);
 }

@@ -11,7 +11,7 @@ using nadir::sim::support::message_of;
 
 namespace {
 
-std::string told_of(const std::string& text) {
+std::string told_of_view_table(const std::string& text) {
   return message_of([&] { static_cast<void>(sim::parse_view_table(text, "views.csv")); });
 }
 
@@ -52,22 +52,22 @@ TEST_CASE("angles count from the line of sight, to image right and image down",
 
 TEST_CASE("what is no grid of lines of sight is told of with its place", "[files][view_table]") {
   const std::string head = "sample,line,x,y,z\n";
-  CHECK(told_of(head + "1,0.5,0,0,1\n2,0.5,0,0,1\n") ==
+  CHECK(told_of_view_table(head + "1,0.5,0,0,1\n2,0.5,0,0,1\n") ==
         "views.csv:2: error: the first sample is 1, expected 0.5, the centre of the first pixel\n");
-  CHECK(told_of(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n3.5,0.5,0,0,1\n") ==
+  CHECK(told_of_view_table(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n3.5,0.5,0,0,1\n") ==
         "views.csv:3: error: sample 1.5 is not on an even grid: 3 from 0.5 to 3.5 have one at 2\n");
-  CHECK(told_of(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n0.5,1.5,0,0,1\n") ==
+  CHECK(told_of_view_table(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n0.5,1.5,0,0,1\n") ==
         "views.csv: error: the grid lacks the pixel at sample 1.5, line 1.5\n");
-  CHECK(told_of(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n1.5,0.5,0,0,1\n") ==
+  CHECK(told_of_view_table(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,1\n1.5,0.5,0,0,1\n") ==
         "views.csv:4: error: this pixel is there already, in line 3\n");
-  CHECK(told_of(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,0\n") ==
+  CHECK(told_of_view_table(head + "0.5,0.5,0,0,1\n1.5,0.5,0,0,0\n") ==
         "views.csv:3: error: the direction x, y, z has no length\n");
-  CHECK(told_of(head + "0.5,0.5,0,0,1\n") ==
+  CHECK(told_of_view_table(head + "0.5,0.5,0,0,1\n") ==
         "views.csv: error: a view table needs at least two samples\n");
-  CHECK(told_of("sample,x,y,along_deg\n0.5,0,0,1\n") ==
+  CHECK(told_of_view_table("sample,x,y,along_deg\n0.5,0,0,1\n") ==
         "views.csv: error: lines of sight are given by the columns x, y and z, or by across_deg "
         "and along_deg\n");
-  CHECK(told_of("sample,across_deg,along_deg\n0.5,90,0\n1.5,nan,0\n") ==
+  CHECK(told_of_view_table("sample,across_deg,along_deg\n0.5,90,0\n1.5,nan,0\n") ==
         "views.csv:2:5: error: across_deg must lie from -89 to 89\n"
         "    2 | 0.5,90,0\n"
         "      |     ^\n"

@@ -17,7 +17,7 @@ std::string with_volumes(const std::string& volumes) {
   return replaced(minimal_text(), "<platform>", "<volumes>" + volumes + "</volumes>\n  <platform>");
 }
 /// What is said of these volumes, without its place.
-std::string said(const std::string& volumes) {
+std::string said_volumes(const std::string& volumes) {
   std::string all = mistake_lines(with_volumes(volumes));
   std::string text;
   while (!all.empty()) {
@@ -28,17 +28,17 @@ std::string said(const std::string& volumes) {
   return text;
 }
 
-sim::Scenario parsed(const std::string& volumes, const fs::path& file) {
+sim::Scenario parsed_volumes(const std::string& volumes, const fs::path& file) {
   Diagnostics diagnostics;
   return sim::parse_scenario(with_volumes(volumes), file, diagnostics);
 }
 
-void write(const fs::path& file, const std::string& text) {
+void write_volumes(const fs::path& file, const std::string& text) {
   std::ofstream{file, std::ios::binary} << text;
 }
 
 TEST_CASE("volumes are read with shape, medium, phase and place", "[sim][volumes]") {
-  const auto scenario = parsed(
+  const auto scenario = parsed_volumes(
       "<volume name=\"fog\" scattering_per_m=\"0.01\" east_m=\"5\" yaw_deg=\"90\">"
       "<box lo_m=\"-1 -2 0\" hi_m=\"1 2 3\"/><henyey_greenstein g=\"0.85\"/></volume>"
       "<volume name=\"plume\" absorption_per_m=\"2\" temperature_k=\"500\">"
@@ -70,10 +70,10 @@ TEST_CASE("a volume's grids, spectra and tables are read from their files", "[si
       "NRRD0004\ntype: float\ndimension: 3\nsizes: 1 1 2\nendian: little\n"
       "encoding: raw\n\n";
   grid.append(reinterpret_cast<const char*>(values), sizeof values);
-  write(folder / "plume.nrrd", grid);
-  write(folder / "haze.csv", "angle_deg,0.55\n0,3\n180,1\n");
-  write(folder / "soot.csv", "wavelength_um,soot\n1,0.5\n20,0.1\n");
-  const auto scenario = parsed(
+  write_volumes(folder / "plume.nrrd", grid);
+  write_volumes(folder / "haze.csv", "angle_deg,0.55\n0,3\n180,1\n");
+  write_volumes(folder / "soot.csv", "wavelength_um,soot\n1,0.5\n20,0.1\n");
+  const auto scenario = parsed_volumes(
       "<volume name=\"plume\" absorption_per_m=\"soot.csv\" density_grid=\"plume.nrrd\" "
       "temperature_grid=\"plume.nrrd\"><box lo_m=\"0 0 0\" hi_m=\"1 1 1\"/>"
       "<phase_table file=\"haze.csv\"/></volume>",
@@ -91,29 +91,32 @@ TEST_CASE("a volume's grids, spectra and tables are read from their files", "[si
 TEST_CASE("mistakes of volumes are told where they stand", "[sim][volumes]") {
   const std::string box = "<box lo_m=\"0 0 0\" hi_m=\"1 1 1\"/>";
   const std::string fog = "<volume name=\"fog\" scattering_per_m=\"1\">";
-  CHECK(said(fog + box + "</volume>").empty());
-  CHECK(said(fog + "</volume>") ==
+  CHECK(said_volumes(fog + box + "</volume>").empty());
+  CHECK(said_volumes(fog + "</volume>") ==
         "<volume> has no shape (write <box lo_m=\"...\" hi_m=\"...\"/>, <sphere> or <cylinder> in "
         "it)\n");
-  CHECK(said(fog + box + "<sphere radius_m=\"1\"/></volume>") ==
+  CHECK(said_volumes(fog + box + "<sphere radius_m=\"1\"/></volume>") ==
         "<volume> has two shapes: <box> and <sphere>\n");
-  CHECK(said(fog + box + "<rayleigh/><henyey_greenstein g=\"0\"/></volume>") ==
+  CHECK(said_volumes(fog + box + "<rayleigh/><henyey_greenstein g=\"0\"/></volume>") ==
         "<volume> has two phase functions: <rayleigh> and <henyey_greenstein>\n");
-  CHECK(said(fog + box + "<henyey_greenstein g=\"1\"/></volume>").find("g") != std::string::npos);
-  CHECK(said("<volume name=\"fog\">" + box + "</volume>") ==
+  CHECK(said_volumes(fog + box + "<henyey_greenstein g=\"1\"/></volume>").find("g") !=
+        std::string::npos);
+  CHECK(said_volumes("<volume name=\"fog\">" + box + "</volume>") ==
         "<volume> neither absorbs nor scatters: give absorption_per_m or scattering_per_m\n");
-  CHECK(said(fog + box + "</volume>" + fog + box + "</volume>")
+  CHECK(said_volumes(fog + box + "</volume>" + fog + box + "</volume>")
             .find("volume \"fog\" is there already") != std::string::npos);
-  CHECK(said("<volume name=\"fog\" scattering_per_m=\"1\" on_terrain=\"true\">" + box +
-             "</volume>") == "<volume> stands on the terrain, but <geometry> has no <terrain>\n");
+  CHECK(said_volumes("<volume name=\"fog\" scattering_per_m=\"1\" on_terrain=\"true\">" + box +
+                     "</volume>") ==
+        "<volume> stands on the terrain, but <geometry> has no <terrain>\n");
   const TemporaryFolder folder;
-  write(folder / "a.nrrd", "");
+  write_volumes(folder / "a.nrrd", "");
   const std::string grid = (folder / "a.nrrd").string();
-  CHECK(said("<volume name=\"fog\" scattering_per_m=\"1\" density_grid=\"" + grid +
-             "\"><sphere radius_m=\"1\"/></volume>") ==
+  CHECK(said_volumes("<volume name=\"fog\" scattering_per_m=\"1\" density_grid=\"" + grid +
+                     "\"><sphere radius_m=\"1\"/></volume>") ==
         "density_grid needs a volume whose shape is a <box>\n");
-  CHECK(said("<volume name=\"fog\" scattering_per_m=\"1\" temperature_k=\"3\" temperature_grid=\"" +
-             grid + "\">" + box + "</volume>") ==
+  CHECK(said_volumes(
+            "<volume name=\"fog\" scattering_per_m=\"1\" temperature_k=\"3\" temperature_grid=\"" +
+            grid + "\">" + box + "</volume>") ==
         "give either temperature_k or temperature_grid, not both\n");
 }
 

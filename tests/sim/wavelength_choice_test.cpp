@@ -23,7 +23,7 @@ Response box(double lo_um, double hi_um) {
 }
 
 /// One pixel that sees one product of functions, known at nodes.
-BandLight seen(std::vector<sim::SpectralFunction> functions) {
+BandLight seen_wavelength_choice(std::vector<sim::SpectralFunction> functions) {
   BandLight light;
   light.functions = std::move(functions);
   light.products.emplace_back();
@@ -49,7 +49,7 @@ double red_edge(double lambda_um) {
 TEST_CASE("as many wavelengths as a polynomial needs are chosen", "[sim][wavelengths]") {
   // n nodes integrate degree 2 n - 1: x^d over [1, 2] needs ceil((d + 1) / 2).
   const int degree = GENERATE(0, 1, 2, 3, 6, 7, 11);
-  const auto light = seen({[degree](double x) { return std::pow(x, degree); }});
+  const auto light = seen_wavelength_choice({[degree](double x) { return std::pow(x, degree); }});
   CAPTURE(degree);
   // The trapezoid rule of the dense grid is good to (degree / 400)^2 / 12 = 6e-5; the error of one
   // node less is above 5e-4 up to degree 7, and for degree 11 above 1e-4.
@@ -59,7 +59,8 @@ TEST_CASE("as many wavelengths as a polynomial needs are chosen", "[sim][wavelen
 
 TEST_CASE("the error of one wavelength is that of the midpoint rule", "[sim][wavelengths]") {
   // f = 1 + a (x - 1.5)^2 over [1, 2]: mean 1 + a / 12, at the middle 1.
-  const auto light = seen({[](double x) { return 1.0 + 3.0 * (x - 1.5) * (x - 1.5); }});
+  const auto light =
+      seen_wavelength_choice({[](double x) { return 1.0 + 3.0 * (x - 1.5) * (x - 1.5); }});
   const Response response = box(1.0, 2.0);
   BandErrors errors{response, light};
   CHECK(errors.means()[0] == Approx(1.25).epsilon(1e-5));          // trapezoid: a h^2 / 6 = 3e-6
@@ -71,7 +72,7 @@ TEST_CASE("the error of one wavelength is that of the midpoint rule", "[sim][wav
 
 TEST_CASE("what is right by chance is not relied upon", "[sim][wavelengths]") {
   // An odd cubic bump about the middle: one node sees its mean exactly, two see a wrong one.
-  const auto light = seen({[](double x) {
+  const auto light = seen_wavelength_choice({[](double x) {
     const double y = 2.0 * x - 3.0;                        // -1 .. 1
     return 2.0 + std::cos(std::numbers::pi * 1.4303 * y);  // sin(k) / k = cos(0) - 1.217
   }});
@@ -117,8 +118,8 @@ TEST_CASE("a node's value counts times the mean of its interval", "[sim][wavelen
 
 TEST_CASE("Planck's law at 300 K and a red edge get the wavelengths that they need",
           "[sim][wavelengths]") {
-  const auto planck =
-      seen({[](double x) { return spectral::planck(Micrometres{x}, Kelvin{300.0}).value; }});
+  const auto planck = seen_wavelength_choice(
+      {[](double x) { return spectral::planck(Micrometres{x}, Kelvin{300.0}).value; }});
   CHECK(count_for(box(8.0, 14.0), planck, 1e-3) == 3);
   CHECK(count_for(box(10.0, 11.0), planck, 2.5e-3) == 1);
   // One node: width^2 / 24 of the second derivative, by differences of Planck's law itself.
@@ -127,14 +128,14 @@ TEST_CASE("Planck's law at 300 K and a red edge get the wavelengths that they ne
   const Response response = box(10.0, 11.0);
   BandErrors errors{response, planck};
   CHECK(errors.of(1) == Approx(std::abs(curvature) / 24.0 / b(10.5)).epsilon(0.05));  // 4th order
-  const int edge = count_for(box(0.6, 0.9), seen({red_edge}), 2.5e-3);
+  const int edge = count_for(box(0.6, 0.9), seen_wavelength_choice({red_edge}), 2.5e-3);
   CHECK(edge >= 5);
   CHECK(edge <= 24);
-  CHECK(count_for(box(0.84, 0.9), seen({red_edge}), 2.5e-3) == 1);
+  CHECK(count_for(box(0.84, 0.9), seen_wavelength_choice({red_edge}), 2.5e-3) == 1);
 }
 
 TEST_CASE("dark pixels count against the floor", "[sim][wavelengths]") {
-  BandLight light = seen({red_edge, [](double) { return 1e-6; }});
+  BandLight light = seen_wavelength_choice({red_edge, [](double) { return 1e-6; }});
   light.functions.emplace_back([](double) { return 1.0; });
   light.products.push_back({{2}, {}});
   light.pixels = {{{0}, 1.0}, {{1}, 1.0}};
@@ -144,9 +145,9 @@ TEST_CASE("dark pixels count against the floor", "[sim][wavelengths]") {
 }
 
 TEST_CASE("bands that are hard are integrated", "[sim][wavelengths]") {
-  const auto flat = seen({[](double) { return 0.3; }});
+  const auto flat = seen_wavelength_choice({[](double) { return 0.3; }});
   SECTION("narrower than any spectrum's step") {
-    CHECK(count_for(box(0.7199999, 0.7200001), seen({red_edge}), 1e-3) == 1);
+    CHECK(count_for(box(0.7199999, 0.7200001), seen_wavelength_choice({red_edge}), 1e-3) == 1);
     CHECK(count_for(box(1.0, 1.0 + 4e-9), flat, 1e-3) == 1);
   }
   SECTION("with a hole in the middle") {
@@ -154,7 +155,7 @@ TEST_CASE("bands that are hard are integrated", "[sim][wavelengths]") {
         spectral::TabulatedResponse{{{0.60, 0.61, 0.65, 0.66, 0.80, 0.81, 0.89, 0.90},
                                      {0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0},
                                      spectral::Outside::zero}};
-    BandLight edge = seen({red_edge});
+    BandLight edge = seen_wavelength_choice({red_edge});
     BandErrors errors{hole, edge};
     const auto chosen = sim::choose_count(errors, 1e-3);
     CHECK(chosen.count >= 2);
@@ -168,10 +169,10 @@ TEST_CASE("bands that are hard are integrated", "[sim][wavelengths]") {
         spectral::TabulatedResponse{{{0.5, 0.6}, {0.0, 1.0}, spectral::Outside::zero}};
     CHECK(count_for(ramp, flat, 1e-6) == 1);
     const Response bell = spectral::GaussianResponse{Micrometres{0.72}, Micrometres{0.001}};
-    CHECK(count_for(bell, seen({red_edge}), 1e-3) <= 2);
+    CHECK(count_for(bell, seen_wavelength_choice({red_edge}), 1e-3) <= 2);
   }
   SECTION("without any light") {
-    const auto dark = seen({[](double) { return 0.0; }});
+    const auto dark = seen_wavelength_choice({[](double) { return 0.0; }});
     CHECK(count_for(box(0.5, 0.6), dark, 1e-3) == 1);
     const BandLight nothing;
     CHECK(count_for(box(0.5, 0.6), nothing, 1e-3) == 1);
@@ -180,7 +181,8 @@ TEST_CASE("bands that are hard are integrated", "[sim][wavelengths]") {
 
 TEST_CASE("what no number of wavelengths can do gets the best there is", "[sim][wavelengths]") {
   // A comb finer than 32 nodes.
-  const auto comb = seen({[](double x) { return std::fmod(x, 0.001) < 0.0002 ? 1.0 : 0.0; }});
+  const auto comb =
+      seen_wavelength_choice({[](double x) { return std::fmod(x, 0.001) < 0.0002 ? 1.0 : 0.0; }});
   const Response response = box(0.5, 0.6);
   BandErrors errors{response, comb};
   const auto chosen = sim::choose_count(errors, 1e-4);

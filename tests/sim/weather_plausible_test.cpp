@@ -49,11 +49,13 @@ struct Steady {
   }
 };
 
-std::string said(const Scenario& scenario, const Steady& steady, double hours = 24.0) {
+std::string said_weather_plausible(const Scenario& scenario, const Steady& steady,
+                                   double hours = 24.0) {
   Files files;
   return files.message(scenario, named(files.write("w.csv", steady.text())), hours);
 }
-std::string told(const Scenario& scenario, const Steady& steady, double hours = 24.0) {
+std::string told_weather_plausible(const Scenario& scenario, const Steady& steady,
+                                   double hours = 24.0) {
   Files files;
   return files.plain(load(scenario, named(files.write("w.csv", steady.text())), hours).warnings);
 }
@@ -63,18 +65,18 @@ TEST_CASE("air that would hold more vapour than it can is refused", "[sim][weath
   // 33 C: 50.3 hPa, 20 C: 23.4 hPa (Magnus). Rows from 20 h to 46 h of the file are looked at,
   // four hours about those needed: hour 14 is the file's line 19.
   damp.damp = "33";
-  CHECK(said(at_zero(), damp) ==
+  CHECK(said_weather_plausible(at_zero(), damp) ==
         "w.csv:19:1: error: dew point of 33.0 C in air of 20.0 C, here and in 32 more rows, is a "
         "relative humidity of 215 %: expected at most 110 %\n");
   damp.humidity = "vapour_pressure_hpa";
   damp.damp = "26";
-  CHECK(said(at_zero(), damp) ==
+  CHECK(said_weather_plausible(at_zero(), damp) ==
         "w.csv:19:1: error: vapour pressure of 26.0 hPa in air of 20.0 C, here and in 32 more "
         "rows, is a relative humidity of 111 %: expected at most 110 %\n");
   // Of rows that are not needed nothing is said.
   Steady later;
   later.to_h = 44.0;
-  CHECK(said(at_zero(), later) == "(nothing thrown)");
+  CHECK(said_weather_plausible(at_zero(), later) == "(nothing thrown)");
   Files files;
   later.damp = "33";
   later.from_h = 47.0;
@@ -103,15 +105,15 @@ TEST_CASE("air a little above saturation is saturated", "[sim][weather]") {
 TEST_CASE("weather without a place is told", "[sim][weather]") {
   Steady nowhere;
   nowhere.place = "";
-  CHECK(told(at_zero(), nowhere) ==
+  CHECK(told_weather_plausible(at_zero(), nowhere) ==
         "w.csv: the weather does not say where it was measured (latitude_deg): whether it is of "
         "the scene's place and hemisphere is not checked\n");
   nowhere.place = "# latitude_deg: 46\n";
-  CHECK(told(at_zero(), nowhere) ==
+  CHECK(told_weather_plausible(at_zero(), nowhere) ==
         "w.csv: the weather does not say where it was measured (longitude_deg): whether it is of "
         "the scene's place is not checked\n");
   nowhere.place = "# latitude_deg: -45\n";
-  CHECK(said(at_zero(), nowhere) ==
+  CHECK(said_weather_plausible(at_zero(), nowhere) ==
         "w.csv:1:1: error: the station lies at latitude -45, the scene at 45: on the other "
         "hemisphere\n");
 }
@@ -122,12 +124,12 @@ TEST_CASE("air that its latitude does not know at that time of the year is told"
   cold.air_c = "-30";
   cold.damp = "-35";
   // -31.5 - 28 / 4 + 25.5 x 0.707 x 0.91 = -22.1; 57 - 7 + 10.0 = 60.
-  CHECK(told(at_zero(), cold) ==
+  CHECK(told_weather_plausible(at_zero(), cold) ==
         "w.csv:23: air of -30.0 C, here and in 24 more rows, at latitude 45.0 at this time of the "
         "year: nothing outside -22 to 60 C is known; is it the weather of another place or "
         "season?\n");
   cold.air_c = "-15";
-  CHECK(told(at_zero(), cold).empty());
+  CHECK(told_weather_plausible(at_zero(), cold).empty());
 }
 
 TEST_CASE("records of air temperature lie within its limits", "[sim][weather]") {
@@ -174,12 +176,12 @@ TEST_CASE("days without any sunlight are refused, one is told", "[sim][weather]"
   dark.dark_from_h = 0.0;
   dark.dark_to_h = 72.0;
   // The sun is 10 degrees up from about 5:30 to 18:30; at noon 68 degrees (90 - 45 + 23.4).
-  CHECK(said(at_zero(), dark) ==
+  CHECK(said_weather_plausible(at_zero(), dark) ==
         "w.csv:11:1: error: no sunlight at all on 2 days, from 2026-06-20T06:00Z to "
         "2026-06-21T18:00Z, while the sun stands up to 68 degrees high\n");
   dark.dark_from_h = 30.0;
   dark.dark_to_h = 43.0;
-  CHECK(told(at_zero(), dark) ==
+  CHECK(told_weather_plausible(at_zero(), dark) ==
         "w.csv:35: no sunlight at all on one day, from 2026-06-21T06:00Z to 2026-06-21T18:00Z, "
         "while the sun stands up to 68 degrees high\n");
   // Two dark hours of a morning are no day.
@@ -187,13 +189,13 @@ TEST_CASE("days without any sunlight are refused, one is told", "[sim][weather]"
   morning.from_h = 30.0;
   morning.dark_from_h = 30.0;
   morning.dark_to_h = 32.0;
-  CHECK(told(at_zero("2026-06-21T08:00:00Z"), morning, 2.0) == "");
+  CHECK(told_weather_plausible(at_zero("2026-06-21T08:00:00Z"), morning, 2.0) == "");
   // One bright hour makes it a day, and the days after the picture do not count.
   dark.dark_to_h = 36.0;
-  CHECK(told(at_zero(), dark).empty());
+  CHECK(told_weather_plausible(at_zero(), dark).empty());
   dark.dark_from_h = 49.0;
   dark.dark_to_h = 72.0;
-  CHECK(told(at_zero(), dark).empty());
+  CHECK(told_weather_plausible(at_zero(), dark).empty());
 }
 
 TEST_CASE("a polar night has no sunlight to miss", "[sim][weather]") {
@@ -205,7 +207,7 @@ TEST_CASE("a polar night has no sunlight to miss", "[sim][weather]") {
   dark.place = place_lines("-80");
   Scenario south = at_zero();
   south.origin.latitude_deg = -80.0;
-  CHECK(told(south, dark).empty());
+  CHECK(told_weather_plausible(south, dark).empty());
 }
 
 TEST_CASE("weather that just covers what is needed reaches over all of it", "[sim][weather]") {
@@ -254,11 +256,11 @@ TEST_CASE("held ends keep the energy of the intervals that are there", "[sim][we
 
 TEST_CASE("half an hour that is not covered is refused at the scenario's element",
           "[sim][weather]") {
-  CHECK(said(at_zero(), Steady{10.0, 41.0, 1.0, 3600}) ==
+  CHECK(said_weather_plausible(at_zero(), Steady{10.0, 41.0, 1.0, 3600}) ==
         "scene.xml:3:5: error: the weather of w.csv does not cover the hours before the picture: "
         "needed are 2026-06-20T18:00Z to 2026-06-21T18:00Z, the file has 2026-06-20T10:00Z to "
         "2026-06-21T17:00Z\n");
-  CHECK(said(at_zero(), Steady{19.5, 48.0, 0.5, 3600 / 2})
+  CHECK(said_weather_plausible(at_zero(), Steady{19.5, 48.0, 0.5, 3600 / 2})
             .find("scene.xml:3:5: error: the weather of w.csv does not cover") == 0);
 }
 
