@@ -57,7 +57,6 @@ RGB = ('<band_gaussian name="Blue" centre_um="0.455" fwhm_um="0.05"/>'
 LAMPLIGHT = ('<band_box name="Blue" lo_um="0.44" hi_um="0.5"/>'
              '<band_box name="Green" lo_um="0.52" hi_um="0.6"/>'
              '<band_box name="Red" lo_um="0.6" hi_um="0.69"/>')
-LONG_WAVE = '<band_box name="LWIR" lo_um="8" hi_um="12"/>'
 MID_WAVE = '<band_box name="MWIR" lo_um="3.5" hi_um="4.1"/>'
 
 # name -> folder, file it is made from, how it is changed, what it is, paths a replicate of the reference
@@ -65,9 +64,7 @@ SCENES = {
     "day": ("jacksboro", "night.xml",
             lambda t: village(t, "2026-06-21T13:00:00Z", array("visible", 48, 32, 400, VISIBLE)),
             "village by day, 0.45 to 0.88 um; heat balance at hand", 1024),
-    "night": ("showcase", "harbour_night.xml",
-              lambda t: with_arrays(t, array("thermal", 60, 38, 336, LONG_WAVE)),
-              "harbour at night, 8 to 12 um; moon, lamps, smoke", 1024),
+    "night": ("trials", "town.xml", lambda t: t, "town at night, 10.4 to 11 um, default solver", 512),
     "midwave": ("jacksboro", "night.xml",
                 lambda t: village(t, "2026-06-21T17:30:00Z", array("midwave", 48, 32, 400, MID_WAVE)),
                 "village at noon, 3.5 to 4.1 um; heat balance", 512),
@@ -90,7 +87,8 @@ def made(work: pathlib.Path, name: str, label: str, extra: str, sampling: str,
     text = change((work / "scenes" / folder / file).read_text(encoding="utf-8"))
     text = replaced(text, r"<sampling [^>]*/>", extra + sampling)
     if solver:
-        text = replaced(text, r"<solver [^>]*/>", solver)
+        text = re.sub(r"  <solver [^>]*/>\n", "", text)
+        text = replaced(text, r"  <materials", f"  {solver}\n  <materials")
     path = work / "scenes" / folder / f"made_{name}_{label}.xml"
     path.write_text(text, encoding="utf-8")
     return path

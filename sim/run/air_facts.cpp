@@ -63,9 +63,13 @@ class ParticleDepth {
   atmosphere::Particles particles_;
 };
 
+/// Of the air up to some 80 km: above, where the thermosphere may have 1000 K, is a
+/// hundred-thousandth of it, too thin to be seen to emit at 0.3 to 14 um.
 double warmest_air_k(const atmosphere::Layered& air) {
+  constexpr double thinnest_hpa = 0.01;
   double warmest = 0.0;
   for (const atmosphere::Level& level : air.profile.levels) {
+    if (level.pressure_hpa < thinnest_hpa) continue;
     warmest = std::max(warmest, level.temperature_k);
   }
   return warmest;
