@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "sim/cli/exit_codes.hpp"
 #include "sim/run/accuracy_options.hpp"
@@ -18,8 +20,8 @@ namespace {
 
 struct RunCommandOptions {
   RunOptions run;
-  std::string accuracy, time;  // as typed
-  int audit = -1;              // as many pixels as 3 % of the run pay for
+  std::optional<std::string> accuracy, time;  // as typed
+  int audit = -1;                             // as many pixels as 3 % of the run pay for
   bool quiet = false;
 };
 
@@ -48,8 +50,8 @@ void print_outcome(const RunOutcome& outcome) {
 void settle(RunCommandOptions& options) {
   RunOptions& run = options.run;
   if (run.output.empty()) run.output = std::filesystem::path{"out"} / run.scenario.stem();
-  if (!options.accuracy.empty()) run.accuracy = parse_accuracy(options.accuracy);
-  if (!options.time.empty()) run.time_s = parse_duration(options.time);
+  if (options.accuracy) run.accuracy = parse_accuracy(*options.accuracy);
+  if (options.time) run.time_s = parse_duration(*options.time);
   if (options.audit >= 0) run.audit = options.audit;
 }
 
@@ -107,9 +109,12 @@ void add_run_command(CLI::App& app) {
                    "Pixels to be rendered again with the effects that were left out; 0: none "
                    "[as many as 3 % of the run's time pay for]")
       ->check(CLI::Range(0, 100000000));
-  command->add_flag("--more", options->run.more, "Add as many samples again to a finished run");
-  command->add_flag("--fresh", options->run.fresh,
-                    "Start over: forget what an earlier run has left in the folder");
+  CLI::Option* more =
+      command->add_flag("--more", options->run.more, "Add as many samples again to a finished run");
+  command
+      ->add_flag("--fresh", options->run.fresh,
+                 "Start over: forget what an earlier run has left in the folder")
+      ->excludes(more);
   command->add_flag("-q,--quiet", options->quiet, "Print warnings and errors only");
   command->callback([options] { run_scenario(*options); });
 }

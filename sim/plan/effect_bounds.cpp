@@ -71,20 +71,23 @@ double brightest_reflection(const BoundContext& c) {
   const double direct = directly_reflected(b.sun_irradiance + b.moon_irradiance, c);
   const double about = b.sky_scattering + b.sky_emission + b.lamp_radiance +
                        product(b.greatest_emissivity, b.warmest_emission);
-  return after_reflections(direct + directly_reflected(b.lamp_irradiance, c) +
-                               product(b.greatest_reflectance, about),
-                           c);
+  return after_reflections(
+      direct + directly_reflected(b.lamp_irradiance, c) + product(b.greatest_reflectance, about),
+      c);
 }
 
 /// Light reflected twice and more: what one surface reflects, reflected by another.
 double interreflection(const BoundContext& c) {
   if (c.scene.one_convex_surface) return 0.0;
+  // Smoke and flames shine on surfaces, too, and nothing is known of how bright they are.
+  if (c.scene.has_volumes) return c.band.greatest_reflectance > 0.0 ? unknown : 0.0;
   return of_surface(product(c.band.greatest_reflectance, brightest_reflection(c)), c);
 }
 
 double leaf_transmission(const BoundContext& c) {
   const BandFacts& b = c.band;
   if (!c.scene.has_leaves || b.greatest_transmittance == 0.0) return 0.0;
+  if (c.scene.has_volumes) return unknown;
   const double direct = product(b.sun_irradiance + b.moon_irradiance + b.lamp_irradiance,
                                 c.scene.gloss / std::numbers::pi);
   const double incident = direct + b.sky_scattering + b.sky_emission + brightest(c);
@@ -175,7 +178,7 @@ double floor_radiance(const BandFacts& band, const AccuracyInput& accuracy) {
   if (band.noise_radiance > 0.0) {
     return accuracy.noise_fraction * band.noise_radiance / accuracy.relative;
   }
-  const double direct = band.sun_irradiance + band.moon_irradiance;
+  const double direct = band.level_irradiance;
   const double about =
       std::max(band.least_sky_scattering,
                std::isfinite(direct) ? of_surroundings * direct / std::numbers::pi : 0.0);
@@ -195,6 +198,9 @@ BandFacts facts_without(BandFacts b, EffectSet left_out) {
   };
   none_of(Effect::solar_reflection, b.sun_irradiance);
   none_of(Effect::lunar_reflection, b.moon_irradiance);
+  if (left_out.has(Effect::solar_reflection) && left_out.has(Effect::lunar_reflection)) {
+    b.level_irradiance = 0.0;
+  }
   none_of(Effect::lamps, b.lamp_irradiance, b.lamp_radiance);
   none_of(Effect::sky_scattering, b.sky_scattering, b.least_sky_scattering);
   none_of(Effect::surface_emission, b.coldest_emission, b.warmest_emission,

@@ -22,6 +22,8 @@ struct BandFacts {
   double warmest_solved_emission = 0.0;  ///< of surfaces whose temperature would be solved
   double sun_irradiance = 0.0;   ///< normal to its direction, outside the air, uneclipsed; 0: set
   double moon_irradiance = 0.0;  ///< likewise
+  /// Of both on level ground, outside the air, as an eclipse leaves it: for the floor.
+  double level_irradiance = 0.0;
   double lamp_irradiance = 0.0;  ///< mean over a pixel's ground at the most; infinity: not known
   double lamp_radiance = 0.0;    ///< of area lamps seen directly, likewise
   double sky_scattering = 0.0;   ///< greatest sky radiance by scattered light, as surfaces see it:

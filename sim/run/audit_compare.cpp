@@ -3,6 +3,7 @@
 
 #include "core/share_bound.hpp"
 #include "core/statistics.hpp"
+#include "core/student_t.hpp"
 #include "sim/run/audit.hpp"
 
 namespace nadir::sim {
@@ -21,6 +22,19 @@ Estimate difference(const ProbedPixel& dropped, const ProbedPixel& complete, std
   return {complete.bands[band].mean - dropped.bands[band].mean, change.estimate().standard_error};
 }
 
+/// So many standard errors that in an audit in which nothing differs, one chance in twenty lets any
+/// pixel and band of all look as if it did (Bonferroni): Student's quantile for the replicates.
+double sure_errors(std::span<const ProbedPixel> pixels) {
+  double looks = 0.0;
+  std::size_t replicates = 2;
+  for (const ProbedPixel& pixel : pixels) {
+    looks += static_cast<double>(pixel.bands.size());
+    if (!pixel.replicates.empty()) replicates = std::max(replicates, pixel.replicates[0].size());
+  }
+  const double chance = 0.5 * (1.0 - audit_confidence) / std::max(looks, 1.0);
+  return student_t_quantile(1.0 - chance, static_cast<int>(replicates) - 1);
+}
+
 /// |change| / unit; infinite where that is not a number.
 double relative_change(double change, double unit) {
   if (change == 0.0) return 0.0;
@@ -32,6 +46,7 @@ double relative_change(double change, double unit) {
 
 void compare_pixels(std::span<const ProbedPixel> dropped, std::span<const ProbedPixel> complete,
                     const ByBand& floor, const CameraNames& names, AuditReport& report) {
+  const double sure = sure_errors(dropped);
   for (std::size_t i = 0; i < dropped.size(); ++i) {
     const PixelPlace& place = complete[i].place;
     const auto array = static_cast<std::size_t>(place.array);
@@ -42,7 +57,7 @@ void compare_pixels(std::span<const ProbedPixel> dropped, std::span<const Probed
       const double relative = relative_change(change.mean, unit);
       const double error = unit > 0.0 ? change.standard_error / unit : 0.0;
       beyond = beyond || !(relative <= report.budget);
-      surely = surely || !(relative - 2.0 * error <= report.budget);
+      surely = surely || !(relative - sure * error <= report.budget);
       const bool first = report.pixels == 0 && band == 0;
       if (!first && !(relative > report.largest)) continue;
       report.largest = relative;

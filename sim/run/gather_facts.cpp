@@ -35,6 +35,7 @@ struct BodyFacts {
   bool there = false;   ///< some of its disc is above the horizon
   bool shines = false;  ///< or its twilight is
   Vec3 direction{0.0, 0.0, -1.0};
+  std::vector<Vec3> others{};  ///< of all bodies that count as this one
   Angle elevation = degrees(-90.0);
   double radius_rad = 0.0;
   double stated = 0.0;  ///< W m^-2 um^-1; infinity: from a file
@@ -118,9 +119,11 @@ SkyFacts sky_facts(const FixedSky& sky, const Scenario& /*scenario*/) {
     BodyFacts& body = given.name == "moon" ? facts.moon : facts.sun;
     const Angle elevation = degrees(given.elevation_deg),
                 radius = degrees(given.angular_radius_deg);
+    const Vec3 direction = direction_enu(degrees(given.azimuth_deg).value, elevation.value);
+    body.others.push_back(direction);
     if (elevation > body.elevation) {
       body.elevation = elevation;
-      body.direction = direction_enu(degrees(given.azimuth_deg).value, elevation.value);
+      body.direction = direction;
     }
     body.radius_rad = std::max(body.radius_rad, radius.value);
     body.there = body.there || elevation > Angle{-radius.value};
@@ -162,7 +165,15 @@ double greatest(const std::vector<double>& values) {
 bool in_view(const ViewFacts& view, const BodyFacts& body) {
   if (!body.there) return false;
   constexpr double margin_rad = 0.01;  // between the lines of sight, and what the optics spread
-  return greatest_cosine(view, body.direction) > std::cos(body.radius_rad + margin_rad);
+  const double limit = std::cos(body.radius_rad + margin_rad);
+  return greatest_cosine(view, body.direction) > limit ||
+         std::any_of(body.others.begin(), body.others.end(),
+                     [&](Vec3 other) { return greatest_cosine(view, other) > limit; });
+}
+
+/// What of a body's light falls on level ground.
+double level_share(const BodyFacts& body) {
+  return body.there ? std::max(0.0, std::sin(body.elevation.value)) : 0.0;
 }
 
 /// One plane or disc alone: nothing that it could see.
@@ -280,6 +291,9 @@ class FactGatherer {
     const BandIrradiance light = band_light(sky_, facts);
     if (sky_.sun.there) facts.sun_irradiance = greatest(light.sun);
     if (sky_.moon.there) facts.moon_irradiance = greatest(light.moon);
+    facts.level_irradiance =
+        (1.0 - sky_.eclipsed_share) * (facts.sun_irradiance * level_share(sky_.sun) +
+                                       facts.moon_irradiance * level_share(sky_.moon));
     add_lamps(views_[index], facts);
     const AirSurroundings about{
         {sky_.sun.elevation, greatest_cosine(views_[index], sky_.sun.direction)},

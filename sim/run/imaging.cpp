@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "sim/files/modules.hpp"
 
 namespace nadir::sim {
 namespace {
@@ -68,7 +69,11 @@ void Imaging::take(const StripSource& source) {
 
 ProductWriter::Written Imaging::finish() { return writer_.finish(); }
 
-void prepare_output(const std::filesystem::path& folder) {
+void prepare_output(const std::filesystem::path& folder, const ProductsInput& wanted) {
+  if (wanted.quick_look) static_cast<void>(module_symbol("nadir_images", "nadir_image_module"));
+  if (wanted.geotiff || wanted.netcdf) {
+    static_cast<void>(module_symbol("nadir_rasters", "nadir_raster_module"));
+  }
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const std::filesystem::path probe = folder / ".nadir-probe";

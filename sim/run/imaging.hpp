@@ -38,9 +38,11 @@ class Imaging {
   ProductWriter writer_;
 };
 
-/// Finds out before the work, not after it, whether its results can be kept.
-/// @throws InputError
-void prepare_output(const std::filesystem::path& folder);
+/// Finds out before the work, not after it, whether its results can be kept: makes the folder, and
+/// loads the modules that write what is wanted (half a second that a run with a time limit has to
+/// know of).
+/// @throws InputError; std::runtime_error where a module is missing
+void prepare_output(const std::filesystem::path& folder, const ProductsInput& wanted);
 
 /// The files that were read, with their digests.
 [[nodiscard]] std::vector<FileRecord> record_inputs(const InputFiles& inputs,

@@ -104,7 +104,7 @@ PreparedRun prepare_run(const RunRequest& request, StageClock& clock, Diagnostic
   run.solver_reason = solver.reason;
   if (request.has_goal()) run.goal = goal_of(run.world.effects);
   check(run, diagnostics);
-  if (request.checked) request.checked();
+  if (request.checked) request.checked(run.scenario);
   run.inputs = clock.stage("hash inputs", [&] { return record_inputs(inputs, run.scenario); });
   if (request.solve) solve(run, request, clock, diagnostics);
   run.bias = bias_terms(run.world.facts, run.world.effects, solver, wavelength_errors,

@@ -31,7 +31,7 @@ struct RunRequest {
   /// Changes the scenario before anything is loaded, as the audit and the study do.
   std::function<void(Scenario&)> edit{};
   /// Called when everything is read and found right, before temperatures and air are solved.
-  std::function<void()> checked{};
+  std::function<void(const Scenario&)> checked{};
   /// Temperatures are solved ahead for every pixel, as a whole picture needs them; otherwise when a
   /// ray first asks.
   bool heat_ahead = true;

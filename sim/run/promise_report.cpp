@@ -31,6 +31,16 @@ LargestBias largest_bias(const PreparedRun& run) {
   return largest;
 }
 
+/// The largest error that the run's own settings make, of any band: left-out effects, bounces,
+/// thresholds, wavelengths; what the model of the air is off by is not theirs.
+double largest_own_bias(const PreparedRun& run) {
+  double largest = 0.0;
+  for (const auto& array : run.bias) {
+    for (const BiasTerms& band : array) largest = std::max(largest, band.total() - band.air_table);
+  }
+  return largest;
+}
+
 /// The smallest share of pixels of any array that meet the goals of all their bands.
 double least_met(const GoalOutcome& outcome) {
   double met = 1.0;
@@ -75,7 +85,7 @@ GoalReport goal_report(const PreparedRun& run, const GoalResult& result) {
   goal.kept = true;
   if (goal.accuracy) {
     goal.sentence = error_sentence(run, *goal.accuracy, goal);
-    goal.kept = least_met(goal.outcome) >= 1.0;
+    goal.kept = least_met(goal.outcome) >= 1.0 && largest_own_bias(run) <= *goal.accuracy;
   }
   if (goal.time_s) {
     const bool in_time = goal.seconds <= (1.0 + time_tolerance) * *goal.time_s;
@@ -107,6 +117,31 @@ RunFact run_fact(const RenderTally& tally, const std::vector<StageTime>& stages,
   }
   if (pixels > 0.0) fact.mean_paths = paths / pixels;
   return fact;
+}
+
+void warn_of_hidden_light(const PreparedRun& run, const std::vector<ArraySummary>& images,
+                          Diagnostics& diagnostics) {
+  // A tile's first look has 1024 paths or more; what none of them meets has, with 95 % confidence,
+  // less than 3 / 1024 of the chances ("rule of three": Hanley and Lippman-Hand, JAMA 249, 1743,
+  // 1983).
+  constexpr double unseen_chance = 3.0 / 1024.0, far_brighter = 10.0;
+  const EffectPlan& effects = run.world.effects;
+  for (std::size_t a = 0; a < images.size(); ++a) {
+    if (!effects.by_array[a].has(radiometry::Effect::surface_emission)) continue;
+    for (std::size_t b = 0; b < images[a].bands.size(); ++b) {
+      const BandFacts& facts = run.world.facts.arrays[a].bands[b];
+      const double brightest = facts.greatest_emissivity * facts.warmest_emission;
+      const double unseen = unseen_chance * facts.greatest_reflectance * brightest;
+      const bool hidden = brightest > far_brighter * images[a].bands[b].radiance.greatest;
+      if (!hidden || !(unseen > effects.relative * effects.floor_radiance[a][b])) continue;
+      diagnostics.warn(fmt::format(
+          "array {}, band {}: some surface emits {:.3g} W m^-2 sr^-1 um^-1, more than ten times "
+          "what "
+          "any pixel shows; what it lights may be missed by all paths, and is then in no stated "
+          "error",
+          images[a].name, images[a].bands[b].name, brightest));
+    }
+  }
 }
 
 std::vector<std::string> broken_promises(const Promises& promises) {

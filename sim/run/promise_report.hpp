@@ -25,6 +25,11 @@ struct GoalResult {
 [[nodiscard]] RunFact run_fact(const RenderTally& tally, const std::vector<StageTime>& stages,
                                double seconds);
 
+/// Warns of surfaces that are far brighter than anything in the picture: light from them that fewer
+/// than one path in some thousand meets is in no error that sampling states.
+void warn_of_hidden_light(const PreparedRun& run, const std::vector<ArraySummary>& images,
+                          Diagnostics& diagnostics);
+
 /// What was promised and not kept, one sentence each.
 [[nodiscard]] std::vector<std::string> broken_promises(const Promises& promises);
 

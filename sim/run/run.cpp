@@ -95,12 +95,15 @@ void describe(const PreparedRun& run, const RunOptions& options, RunReport& repo
 class Run {
  public:
   explicit Run(const RunOptions& options)
-      : options_{options}, request_{options.scenario,
-                                    options.seed,
-                                    options.accuracy,
-                                    options.time_s,
-                                    {},
-                                    [this] { prepare_output(options_.output); }} {}
+      : options_{options},
+        request_{options.scenario,
+                 options.seed,
+                 options.accuracy,
+                 options.time_s,
+                 {},
+                 [this](const Scenario& scenario) {
+                   prepare_output(options_.output, scenario.products);
+                 }} {}
 
   RunOutcome make() {
     const ThreadLimit limit{options_.threads};  // building the scene is threaded as well
@@ -157,7 +160,8 @@ class Run {
   /// where a run was interrupted, one more with --more, none where it is finished.
   [[nodiscard]] RenderRounds rounds_to_make() const {
     const std::uint32_t done = journal_->finished();
-    // What a time goal had time for is taken as it is; other rounds are mended where one is damaged.
+    // What a time goal had time for is taken as it is; other rounds are mended where one is
+    // damaged.
     const std::uint32_t kept = options_.time_s ? done : 0;
     if (options_.more) return {kept, std::max(done + 1, journal_->begun())};
     return {kept, std::max({done, journal_->begun(), 1U})};
@@ -183,6 +187,11 @@ class Run {
       time = time_goal();
       render.time = &time;
     }
+    if (options_.time_s && !to_sample) {
+      diagnostics_.warn(
+          "the folder has a finished run: nothing was sampled; --more goes on sampling, --fresh "
+          "starts over");
+    }
     tell_of_journal(render.rounds);
     if (to_sample) journal_->begin(render.rounds.end);
     Imaging imaging{
@@ -206,6 +215,8 @@ class Run {
           audit_run({request_, *run_, stages, fact.mean_paths, options_.threads, options_.audit},
                     diagnostics_);
     });
+    const AuditReport& found = *report_.promises.audit;
+    if (found.found_any()) diagnostics_.warn("audit: " + found.verdict);
   }
 
   RunOutcome conclude() {
@@ -218,6 +229,7 @@ class Run {
       report_.products.push_back(record_file(product.kind, product.path));
     }
     report_.arrays = std::move(written_.summaries);
+    warn_of_hidden_light(*run_, report_.arrays, diagnostics_);
     report_.counters = counters_of(tally_.counters);
     report_.stages = clock_.stages();
     report_.warnings = diagnostics_.messages();

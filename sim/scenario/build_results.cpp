@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "sim/files/text_tokens.hpp"
 #include "sim/scenario/build_context.hpp"
 
 namespace nadir::sim {
@@ -40,7 +41,8 @@ void check_quick_look(const BuildContext& context, const CheckedElement& product
 
 /// Of the words that the schema allows.
 BandNodes band_nodes(const std::string& word) {
-  return word == "auto" ? BandNodes{0} : BandNodes{std::stoi(word)};
+  // What the schema refused has its mistake noted and arrives here as an empty word.
+  return word == "auto" ? BandNodes{0} : BandNodes{strict_number_in<int>(word).value_or(4)};
 }
 
 ProductsInput products_of(const CheckedElement& element) {

@@ -57,9 +57,8 @@ void spectrum(std::string_view bytes) {
       });
     }
   });
-  refused_or_read([&] {
-    (void)sim::parse_spectrum(bytes, "fuzzed.csv", sim::SpectrumQuantity::reflectance);
-  });
+  refused_or_read(
+      [&] { (void)sim::parse_spectrum(bytes, "fuzzed.csv", sim::SpectrumQuantity::reflectance); });
 }
 
 void mesh(std::string_view bytes) {
