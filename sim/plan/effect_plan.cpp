@@ -205,7 +205,9 @@ class Reasons {
       most = here;
       name = facts_.arrays[a].bands.empty() ? "" : facts_.arrays[a].bands[here.band].name;
     }
-    return fmt::format("{} in {}", two_figures(most.bound), name);
+    // Far above the pixel itself a bound's figure says no more than that.
+    return fmt::format("{} in {}", most.bound > 1.0 ? "100 % and more" : two_figures(most.bound),
+                       name);
   }
 
   [[nodiscard]] double worst_bound(std::size_t effect) const {

@@ -24,8 +24,8 @@ struct AuditReport {
   double largest = 0.0, largest_error = 0.0;
   std::string array, band;  ///< where it was found
   int sample = 0, line = 0;
-  /// Pixels any band of which differs by more than the budget, and by more than the budget and two
-  /// standard errors of the difference.
+  /// Pixels any band of which differs by more than the budget, and by more than the budget and
+  /// what chance explains.
   std::uint64_t beyond = 0, surely_beyond = 0;
   /// Upper 95 % confidence bounds of the shares of such pixels in the picture.
   double beyond_share = 1.0, surely_beyond_share = 1.0;

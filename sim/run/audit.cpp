@@ -287,7 +287,7 @@ class Audit {
                   report_.pixels, budget, 100.0 * report_.beyond_share, largest)
             : fmt::format(
                   "{} of {} pixels differ by more than {} from one with everything on, {} "
-                  "of them by more than twice the noise; {}",
+                  "of them by more than chance explains; {}",
                   report_.beyond, report_.pixels, budget, report_.surely_beyond, largest);
   }
 
