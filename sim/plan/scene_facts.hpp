@@ -30,7 +30,7 @@ struct BandFacts {
                                  ///< diffuse irradiance over pi
   double least_sky_scattering = 0.0;  ///< of the sky's mean, for the floor; an estimate
   double sky_emission = 0.0;          ///< greatest sky radiance by emission
-  double path_scattering = 0.0;       ///< greatest, along the longest line of sight
+  double path_scattering = 0.0;  ///< greatest that comes into a line of sight, the sky included
   double path_emission = 0.0;
   double path_loss = 0.0;       ///< greatest 1 - transmittance of a line of sight
   double noise_radiance = 0.0;  ///< sensor's noise at a dark pixel; 0: no detector

@@ -302,6 +302,10 @@ class FactGatherer {
         warmth_.warmest,
         facts_.gloss > 1.0 || facts_.sky_in_view};
     add_air_light(sources_.air, layers(), light, about, facts);
+    // The sky itself, where it is seen, has come into the line of sight; a corner of it may be seen
+    // that none of the lines of sight that were tried has met.
+    facts.path_scattering += facts.sky_scattering;
+    facts.path_emission += facts.sky_emission;
     return facts;
   }
 

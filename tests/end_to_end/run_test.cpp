@@ -57,6 +57,11 @@ TEST_CASE("another seed gives other noise, the same seed the same", "[end_to_end
   CHECK(first.at("wide_radiance.hdr") == other.at("wide_radiance.hdr"));
 }
 
+TEST_CASE("an audit of every pixel finds nothing that auto should have kept", "[end_to_end]") {
+  // Corners of the picture see the sky, which a uniform air gives no path light of its own.
+  run_yard("--audit 1800");  // the audit's warning would be told
+}
+
 TEST_CASE("a quiet run prints nothing, a log gets plain lines", "[end_to_end]") {
   const sim::support::ScratchFolder scratch;
   const std::string run = "run " + data_file("yard.xml") + " -o " + scratch.path().string();
